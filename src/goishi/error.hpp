@@ -1,0 +1,65 @@
+#pragma once
+/// \file
+/// Errors of the caller. "No contact" and "did not converge" are states in a result, never exceptions.
+
+#include <goishi/scalar.hpp>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace goishi {
+
+/// An argument broke the rule of the function that it was given to.
+/// `what()` is one line: "height = 0.03: must not exceed the width (0.022)".
+class InvalidArgument : public std::invalid_argument {
+ public:
+  InvalidArgument(std::string argument, std::string value, std::string rule)
+      : std::invalid_argument(argument + " = " + value + ": " + rule),
+        argument_(std::move(argument)),
+        value_(std::move(value)),
+        rule_(std::move(rule)) {}
+
+  [[nodiscard]] const std::string& argument() const noexcept { return argument_; }
+  [[nodiscard]] const std::string& value() const noexcept { return value_; }
+  [[nodiscard]] const std::string& rule() const noexcept { return rule_; }
+
+ private:
+  std::string argument_;
+  std::string value_;
+  std::string rule_;
+};
+
+/// A value as an error message shows it: all the digits that T is sure to keep (15 for double), no more than 17.
+template <class T>
+[[nodiscard]] std::string to_text(const T& value) {
+  constexpr int sure = std::numeric_limits<T>::digits10;
+  std::ostringstream out;
+  out.precision(0 < sure && sure < 17 ? sure : 17);
+  out << value;
+  return out.str();
+}
+
+/// Throws InvalidArgument with the rule's parts joined. Out of line of the callers' fast path: text is made only when a rule is broken.
+template <class T, class... Parts>
+[[noreturn]] void throw_invalid(const char* argument, const T& value, const Parts&... rule) {
+  std::ostringstream text;
+  (text << ... << rule);
+  throw InvalidArgument(argument, to_text(value), text.str());
+}
+
+/// Throws unless `holds`. Write the condition that must hold: a NaN makes it false. The rule is given in parts, joined on throwing.
+template <class T, class... Parts>
+void require(bool holds, const char* argument, const T& value, const Parts&... rule) {
+  if (!holds) [[unlikely]] {
+    throw_invalid(argument, value, rule...);
+  }
+}
+
+template <Ordered T>
+void require_positive(const char* argument, const T& value) {
+  require(T(0) < value && scalar::is_finite(value), argument, value, "must be positive and finite");
+}
+
+}  // namespace goishi

@@ -1,0 +1,118 @@
+#pragma once
+/// \file
+/// The inertia tensor in its general form, about any point and in any frame; and the way back to principal axes.
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <goishi/error.hpp>
+#include <goishi/mass/inertia.hpp>
+#include <goishi/rotation.hpp>
+#include <goishi/scalar.hpp>
+
+namespace goishi {
+
+namespace formula {
+
+/// Inertia tensor of a body with symmetry axis Bz about its centre of mass, in B   [kg m²]: diag(I_t, I_t, I_a).
+/// Proof  derivations/tensor.cpp.
+template <Field T>
+[[nodiscard]] Mat3<T> principal_tensor(const Moments<T>& moments) {
+  Mat3<T> tensor;
+  tensor << moments.transverse, T(0), T(0), T(0), moments.transverse, T(0), T(0), T(0), moments.axial;
+  return tensor;
+}
+
+/// The tensor in frame W, from the tensor in frame B: I_W = R_WB I_B R_WBᵀ. Same point, other axes.
+/// Domain  R_WB a rotation matrix.   Proof  derivations/tensor.cpp.
+template <Field T>
+[[nodiscard]] Mat3<T> rotated_tensor(const Mat3<T>& tensor_B, const Mat3<T>& R_WB) {
+  const Mat3<T> half = R_WB * tensor_B;
+  return half * R_WB.transpose();
+}
+
+/// The tensor about a point P, from the tensor about the centre of mass C (parallel axes; all vectors in one frame):
+///
+///     I_P = I_C + m (|c|² 1 − c cᵀ),   c = C − P
+///
+/// Proof  derivations/tensor.cpp.
+template <Field T>
+[[nodiscard]] Mat3<T> shifted_tensor(const Mat3<T>& tensor_C, const T& mass, const Vec3<T>& c) {
+  const T xx = scalar::sq(c.x()), yy = scalar::sq(c.y()), zz = scalar::sq(c.z());
+  const T xy = c.x() * c.y(), xz = c.x() * c.z(), yz = c.y() * c.z();
+  Mat3<T> offset;
+  offset << yy + zz, -xy, -xz, -xy, zz + xx, -yz, -xz, -yz, xx + yy;
+  return tensor_C + mass * offset;
+}
+
+}  // namespace formula
+
+/// The talk's general form I = [[Ixx, Iyx, Izx], [Ixy, Iyy, Izy], [Ixz, Iyz, Izz]]: the full inertia tensor of a stone at p_WB with
+/// attitude q_WB, about the origin of W, in W   [kg m²]. Off-diagonal entries are minus the products of inertia.
+///
+/// Domain  q_WB a unit quaternion, p_WB finite, else InvalidArgument.
+/// Source  nested integration of the solid itself (GSL-4).
+template <Ordered T>
+[[nodiscard]] Mat3<T> inertia_tensor(const MassProperties<T>& body, const Quat<T>& q_WB, const Vec3<T>& p_WB) {
+  require(scalar::is_finite(T(p_WB.squaredNorm())), "position", p_WB.norm(), "must be finite");
+  const Mat3<T> about_centre = formula::rotated_tensor(formula::principal_tensor(body.moments), rotation_matrix(q_WB));
+  return formula::shifted_tensor(about_centre, body.mass, p_WB);
+}
+
+/// Principal moments, ascending, and axes of a tensor: I = R diag(moments) Rᵀ, R_WP a rotation (right-handed).
+template <class T>
+struct PrincipalAxes {
+  Vec3<T> moments = Vec3<T>::Constant(scalar::unset<T>());  // [kg m²], ascending
+  Mat3<T> R_WP = Mat3<T>::Constant(scalar::unset<T>());     // columns: the axes; where moments are equal, any pair across
+};
+
+/// Whether a rigid body can have this tensor: symmetric, positive, and no moment above the sum of the other two (triangle
+/// inequality; equality is a lamina). `slack`, in units of the trace, admits round-off: a lamina's own tensor, rotated, must pass.
+///
+/// Returns the rule that is broken, or nullptr.
+template <Ordered T>
+[[nodiscard]] const char* broken_inertia_rule(const Vec3<T>& moments, const T& slack = T(16) * std::numeric_limits<T>::epsilon()) {
+  const T trace = moments.sum();
+  if (!scalar::is_finite(trace)) {
+    return "must be finite";
+  }
+  if (!(T(0) < moments.minCoeff())) {
+    return "must have positive principal moments";
+  }
+  // The largest moment and the other two: trace − max.
+  if (!(moments.maxCoeff() < (trace - moments.maxCoeff()) + slack * trace)) {
+    return "must satisfy the triangle inequality: no principal moment above the sum of the other two";
+  }
+  return nullptr;
+}
+
+/// Throws InvalidArgument unless a body with a symmetry axis can have these moments: positive, I_a <= 2 I_t.
+template <Ordered T>
+void require_physical(const Moments<T>& moments) {
+  require_positive("axial", moments.axial);
+  require_positive("transverse", moments.transverse);
+  const char* broken = broken_inertia_rule<T>({moments.transverse, moments.transverse, moments.axial});
+  require(broken == nullptr, "axial", moments.axial, broken, " (transverse ", moments.transverse, ")");
+}
+
+/// Principal axes back from the full tensor, by Eigen's symmetric solver.
+///
+/// Domain  symmetric, positive definite, triangle inequality (within round-off), else InvalidArgument.
+/// Error   moments <= 16 ε trace; axes as the gap between moments allows (claim TENSOR-4).
+template <Ordered T>
+[[nodiscard]] PrincipalAxes<T> principal_axes(const Mat3<T>& tensor) {
+  const T trace = tensor.trace();
+  const T asymmetry = (tensor - tensor.transpose()).cwiseAbs().maxCoeff();
+  require(scalar::is_finite(trace), "tensor", trace, "must be finite");
+  require(!(T(16) * std::numeric_limits<T>::epsilon() * trace < asymmetry), "tensor", asymmetry, "must be symmetric (largest difference shown)");
+  // Scaled to trace 1, so that moments of any unit neither overflow nor underflow in the solver.
+  const Eigen::SelfAdjointEigenSolver<Mat3<T>> solver(Mat3<T>((tensor + tensor.transpose()) / (T(2) * trace)));
+  PrincipalAxes<T> result{.moments = Vec3<T>(solver.eigenvalues() * trace), .R_WP = solver.eigenvectors()};
+  const char* broken = broken_inertia_rule(result.moments);
+  require(broken == nullptr, "tensor", result.moments.minCoeff(), broken, " (least moment shown)");
+  if (result.R_WP.determinant() < T(0)) {
+    result.R_WP.col(0) = -result.R_WP.col(0);
+  }
+  return result;
+}
+
+}  // namespace goishi

@@ -1,0 +1,115 @@
+#pragma once
+/// \file
+/// Volume and surface area in closed form: of the sharp lens by width and height, of the bevelled stone by its parts (two
+/// caps of height k = (h − b)/2 and base radius P_x, and the band cut from the torus).
+
+#include <goishi/scalar.hpp>
+#include <goishi/shape/stone.hpp>
+
+namespace goishi {
+
+namespace formula {
+
+/// Volume of the sharp lens   [m³].
+///
+///     V = (π/3) a (3c² + a²),   a = h/2, c = w/2
+///
+/// Domain  0 < h <= w.   Limits  h = w: π w³/6 (ball).   h -> 0: π h w²/8.   Sandwich  double cone <= V <= ellipsoid (MASS-LAW-2).
+/// Error   all terms positive; claim MASS-1.   Proof  derivations/lens.cpp.
+template <Elementary T>
+[[nodiscard]] constexpr T lens_volume(const T& width, const T& height) {
+  const T a = height / T(2);
+  const T c = width / T(2);
+  return T(scalar::pi<T>() / T(3) * a * (T(3) * scalar::sq(c) + scalar::sq(a)));
+}
+
+/// Surface area of the sharp lens   [m²].
+///
+///     S = π (w² + h²) / 2
+///
+/// Domain  0 < h <= w.   Limits  h = w: π w² (ball).   h -> 0: π w²/2 (both faces of a disc).
+/// Error   claim MASS-1.   Proof  derivations/lens.cpp.
+template <Elementary T>
+[[nodiscard]] constexpr T lens_surface_area(const T& width, const T& height) {
+  return T(scalar::pi<T>() * (scalar::sq(width) + scalar::sq(height)) / T(2));
+}
+
+/// Integrals over the bevel's arc, from the plane of the rim to the joint, α = the angle of the joint's normal:
+/// C_n = ∫₀^α cosⁿφ dφ and D_n = ∫₀^α sin²φ cosⁿφ dφ.
+template <class T>
+struct ArcIntegrals {
+  T c2, c3, c4, c5;
+  T d1, d2, d3;
+};
+
+///     C₂ = (α + s c)/2,   C₃ = s (c² + 2)/3,   C₄ = (c³ s + 3 C₂)/4,   C₅ = (c⁴ s + 4 C₃)/5,   c = cos α, s = sin α
+///     D₁ = s³/3,   D₂ = (α − s c + 2 s³ c)/8,   D₃ = s³ (2 + 3c²)/15
+///
+/// Domain  0 <= α <= π/2.   Error  D₂ alone cancels, for small α, where its share of a moment is below round-off.
+/// Proof   derivations/bevel.cpp.
+template <Field T>
+[[nodiscard]] constexpr ArcIntegrals<T> arc_integrals(const T& angle, const T& cosine, const T& sine) {
+  const T square = scalar::sq(cosine);
+  const T product = sine * cosine;
+  const T cube = scalar::sq(sine) * sine;
+  const T c2 = (product + angle) / T(2);
+  const T c3 = (square + T(2)) * sine * (T(1) / T(3));
+  return {.c2 = c2,
+          .c3 = c3,
+          .c4 = T((square * product + T(3) * c2) / T(4)),
+          .c5 = T((scalar::sq(square) * sine + T(4) * c3) * (T(1) / T(5))),
+          .d1 = T(cube * (T(1) / T(3))),
+          .d2 = T(((angle - product) + T(2) * cube * cosine) / T(8)),
+          .d3 = T(cube * (T(2) + T(3) * square) * (T(1) / T(15)))};
+}
+
+/// What the mass formulas of a bevelled stone share. T is the scalar of the evaluation; the stone's own may be narrower.
+template <class T>
+struct BevelTerms {
+  T cap_height;    // k = (h − b)/2
+  T joint_square;  // P_x² = k (2r − k)
+  T half_band;     // g = b/2
+  T angle;         // α
+  ArcIntegrals<T> arc;
+};
+
+/// Domain  a bevelled stone (also b = 0 with d > 0); angle α = atan2(joint sine, joint cosine).
+template <Field T, class S = T>
+[[nodiscard]] constexpr BevelTerms<T> bevel_terms(const Stone<S>& stone, const T& angle) {
+  return {.cap_height = T((T(stone.height) - stone.bevel) / T(2)),
+          .joint_square = scalar::sq(T(stone.joint_radius)),
+          .half_band = T(T(stone.bevel) / T(2)),
+          .angle = angle,
+          .arc = formula::arc_integrals(angle, T(stone.joint_cosine), T(stone.joint_sine))};
+}
+
+/// Volume of the bevelled stone   [m³].
+///
+///     V = π [ k (P_x² + k²/3) + 2 g r₁² + 2 r₂² (2 r₁ C₂ + r₂ C₃) ]
+///
+/// The first term is the two caps, the others the band: π ∫ (r₁ + r₂ cos φ)² r₂ cos φ dφ.
+/// Limits  b -> 0: `lens_volume`.   Error  all terms positive; claim MASS-2.   Proof  derivations/bevel.cpp.
+template <Elementary T, class S>
+[[nodiscard]] T bevelled_volume(const Stone<S>& stone, const BevelTerms<T>& terms) {
+  const S& r1 = stone.bevel_major_radius;
+  const S& r2 = stone.bevel_minor_radius;
+  const T caps = terms.cap_height * (terms.joint_square + scalar::sq(terms.cap_height) * (T(1) / T(3)));
+  const T torus = T(2) * terms.arc.c2 * r1 + terms.arc.c3 * r2;
+  return T(scalar::pi<T>() * (caps + T(2) * (terms.half_band * scalar::sq(T(r1)) + scalar::sq(T(r2)) * torus)));
+}
+
+/// Surface area of the bevelled stone   [m²].
+///
+///     S = 2π [ (P_x² + k²) + 2 r₂ (r₁ α + g) ]
+///
+/// The first term is the two caps (4π r k), the second the band: 2π ∫ (r₁ + r₂ cos φ) r₂ dφ.
+/// Limits  b -> 0: `lens_surface_area`.   Error  all terms positive; claim MASS-2.   Proof  derivations/bevel.cpp.
+template <Elementary T, class S>
+[[nodiscard]] T bevelled_surface_area(const Stone<S>& stone, const BevelTerms<T>& terms) {
+  const T caps = terms.joint_square + scalar::sq(terms.cap_height);
+  const T band = (terms.angle * stone.bevel_major_radius + terms.half_band) * stone.bevel_minor_radius;
+  return T(T(2) * scalar::pi<T>() * (caps + T(2) * band));
+}
+
+}  // namespace formula
+}  // namespace goishi

@@ -1,0 +1,160 @@
+#pragma once
+/// \file
+/// The two tiers of templates, and the constants that are exact in every scalar.
+///
+/// A *formula* is a template on `Field` or `Elementary`: no branch, no decimal literal, constants built from integers
+/// (`T(2) / T(5)`). The same source then runs on float and double, on SIMD batches, on 50-digit numbers, on intervals and on
+/// symbolic expressions. An *algorithm* is a template on `Ordered`: it may compare, iterate and choose.
+///
+/// Formulas stand in namespace `goishi::formula`; what stands in `goishi` itself validates, chooses the formula that fits,
+/// evaluates it in the next wider type (`scalar::wider_t`) where that is worth its cost, and rounds once.
+
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <numbers>
+#include <type_traits>
+
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "Goishi: -ffast-math and -ffinite-math-only break NaN checks and reassociate well-conditioned formulas; build without them"
+#endif
+
+namespace goishi {
+
+namespace scalar {
+
+namespace detail {
+using std::atan2;
+using std::cos;
+using std::sin;
+using std::sqrt;
+
+template <class T>
+concept HasElementaryFunctions = requires(const T& x) {
+  T(sqrt(x));
+  T(sin(x));
+  T(cos(x));
+  T(atan2(x, x));
+};
+
+template <class T>
+concept SimdBatch = requires {
+  typename T::abi_type;
+  typename T::mask_type;
+};
+}  // namespace detail
+
+/// False for SIMD batches under clang with AVX-512: there libstdc++'s `where()` silently does nothing and `sin` is wrong in
+/// the first digit. Such a batch is no `Field`, so a formula refuses it at compile time. Use g++, or -march=x86-64-v3.
+template <class T>
+concept WorkingBatch =
+#if defined(__clang__) && defined(__AVX512F__)
+    !detail::SimdBatch<T>;
+#else
+    true;
+#endif
+
+}  // namespace scalar
+
+/// + − × ÷ and integers: all that a rational formula may ask for.
+template <class T>
+concept Field = std::copyable<T> && scalar::WorkingBatch<T> && requires(const T& x, const T& y) {
+  T(2);
+  T(x + y);
+  T(x - y);
+  T(x * y);
+  T(x / y);
+  T(-x);
+};
+
+/// A field with sqrt, sin, cos and atan2, found by argument-dependent lookup or in `std`.
+template <class T>
+concept Elementary = Field<T> && scalar::detail::HasElementaryFunctions<T>;
+
+/// An elementary scalar whose `<` gives a `bool`. Batches (a mask), intervals (undecided) and symbols (a relation) are not.
+template <class T>
+concept Ordered = Elementary<T> && requires(const T& x, const T& y) {
+  { x < y } -> std::same_as<bool>;
+};
+
+namespace scalar {
+
+template <Elementary T>
+[[nodiscard]] T sqrt(const T& x) {
+  using std::sqrt;
+  return T(sqrt(x));
+}
+
+template <Elementary T>
+[[nodiscard]] T sin(const T& x) {
+  using std::sin;
+  return T(sin(x));
+}
+
+template <Elementary T>
+[[nodiscard]] T cos(const T& x) {
+  using std::cos;
+  return T(cos(x));
+}
+
+template <Elementary T>
+[[nodiscard]] T atan2(const T& y, const T& x) {
+  using std::atan2;
+  return T(atan2(y, x));
+}
+
+/// π in the arithmetic of T: correctly rounded for built-in types, else atan2(0, −1), which is π itself for a symbolic type and
+/// an enclosure of π for intervals.
+template <Elementary T>
+[[nodiscard]] constexpr T pi() {
+  if constexpr (std::floating_point<T>) {
+    return std::numbers::pi_v<T>;
+  } else {
+    return scalar::atan2(T(0), T(-1));
+  }
+}
+
+template <Field T>
+[[nodiscard]] constexpr T sq(const T& x) {
+  return T(x * x);
+}
+
+/// What a physical value holds until it is set: NaN where T has one.
+template <class T>
+[[nodiscard]] constexpr T unset() {
+  if constexpr (std::numeric_limits<T>::has_quiet_NaN) {
+    return std::numeric_limits<T>::quiet_NaN();
+  } else {
+    return T(0);
+  }
+}
+
+namespace detail {
+template <class T>
+struct Wider {
+  using type = T;
+};
+template <>
+struct Wider<float> {
+  using type = double;
+};
+template <>
+struct Wider<double> {
+  using type = long double;
+};
+}  // namespace detail
+
+/// The type in which an algorithm evaluates a short formula before it rounds once to T: float → double → long double; every
+/// other scalar stays as it is. On x86-64 and 64-bit ARM Linux long double has at least 11 more bits than double; where it has
+/// none more (MSVC), results are those of the formula in double, up to 23 ulp for a moment near b = h.
+template <class T>
+using wider_t = typename detail::Wider<T>::type;
+
+template <Ordered T>
+[[nodiscard]] constexpr bool is_finite(const T& x) {
+  const T zero = T(x - x);  // NaN for NaN and for ±infinity, and NaN is not below 1
+  return zero < T(1);
+}
+
+}  // namespace scalar
+}  // namespace goishi
