@@ -41,7 +41,8 @@ template <class T>
   return out.str();
 }
 
-/// Throws InvalidArgument with the rule's parts joined. Out of line of the callers' fast path: text is made only when a rule is broken.
+/// Throws InvalidArgument with the rule's parts joined. Out of line of the callers' fast path: text is made only when
+/// a rule is broken.
 template <class T, class... Parts>
 [[noreturn]] void throw_invalid(const char* argument, const T& value, const Parts&... rule) {
   std::ostringstream text;
@@ -49,7 +50,8 @@ template <class T, class... Parts>
   throw InvalidArgument(argument, to_text(value), text.str());
 }
 
-/// Throws unless `holds`. Write the condition that must hold: a NaN makes it false. The rule is given in parts, joined on throwing.
+/// Throws unless `holds`. Write the condition that must hold: a NaN makes it false. The rule is given in parts, joined
+/// on throwing.
 template <class T, class... Parts>
 void require(bool holds, const char* argument, const T& value, const Parts&... rule) {
   if (!holds) [[unlikely]] {

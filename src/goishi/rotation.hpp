@@ -15,8 +15,8 @@ using Mat3 = Eigen::Matrix<T, 3, 3>;
 template <class T>
 using Quat = Eigen::Quaternion<T>;
 
-/// How far |q|² of a given attitude may be from 1: 64 ε. Four squared components, each with a few roundings behind it, stay well
-/// below; a quaternion typed with fewer digits does not, and must be normalised by who knows what was meant.
+/// How far |q|² of a given attitude may be from 1: 64 ε. Four squared components, each with a few roundings behind it,
+/// stay well below; a quaternion typed with fewer digits does not, and must be normalised by who knows what was meant.
 template <Ordered T>
 inline constexpr T unit_tolerance = T(64) * std::numeric_limits<T>::epsilon();
 
@@ -26,7 +26,8 @@ inline constexpr T unit_tolerance = T(64) * std::numeric_limits<T>::epsilon();
 template <Ordered T>
 [[nodiscard]] Mat3<T> rotation_matrix(const Quat<T>& q_WB) {
   const T defect = q_WB.squaredNorm() - T(1);
-  require(defect < unit_tolerance<T> && -unit_tolerance<T> < defect, "attitude", q_WB.norm(), "must be a unit quaternion");
+  require(defect < unit_tolerance<T> && -unit_tolerance<T> < defect, "attitude", q_WB.norm(),
+          "must be a unit quaternion");
   return q_WB.toRotationMatrix();
 }
 

@@ -3,11 +3,11 @@
 /// The two tiers of templates, and the constants that are exact in every scalar.
 ///
 /// A *formula* is a template on `Field` or `Elementary`: no branch, no decimal literal, constants built from integers
-/// (`T(2) / T(5)`). The same source then runs on float and double, on SIMD batches, on 50-digit numbers, on intervals and on
-/// symbolic expressions. An *algorithm* is a template on `Ordered`: it may compare, iterate and choose.
+/// (`T(2) / T(5)`). The same source then runs on float and double, on SIMD batches, on 50-digit numbers, on intervals
+/// and on symbolic expressions. An *algorithm* is a template on `Ordered`: it may compare, iterate and choose.
 ///
-/// Formulas stand in namespace `goishi::formula`; what stands in `goishi` itself validates, chooses the formula that fits,
-/// evaluates it in the next wider type (`scalar::wider_t`) where that is worth its cost, and rounds once.
+/// Formulas stand in namespace `goishi::formula`; what stands in `goishi` itself validates, chooses the formula that
+/// fits, evaluates it in the next wider type (`scalar::wider_t`) where that is worth its cost, and rounds once.
 
 #include <cmath>
 #include <concepts>
@@ -16,7 +16,7 @@
 #include <type_traits>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
-#error "Goishi: -ffast-math and -ffinite-math-only break NaN checks and reassociate well-conditioned formulas; build without them"
+#error "Goishi: -ffast-math and -ffinite-math-only break NaN checks and well-conditioned formulas; build without them"
 #endif
 
 namespace goishi {
@@ -44,8 +44,9 @@ concept SimdBatch = requires {
 };
 }  // namespace detail
 
-/// False for SIMD batches under clang with AVX-512: there libstdc++'s `where()` silently does nothing and `sin` is wrong in
-/// the first digit. Such a batch is no `Field`, so a formula refuses it at compile time. Use g++, or -march=x86-64-v3.
+/// False for SIMD batches under clang with AVX-512: there libstdc++'s `where()` silently does nothing and `sin` is
+/// wrong in the first digit. Such a batch is no `Field`, so a formula refuses it at compile time. Use g++, or
+/// -march=x86-64-v3.
 template <class T>
 concept WorkingBatch =
 #if defined(__clang__) && defined(__AVX512F__)
@@ -71,7 +72,8 @@ concept Field = std::copyable<T> && scalar::WorkingBatch<T> && requires(const T&
 template <class T>
 concept Elementary = Field<T> && scalar::detail::HasElementaryFunctions<T>;
 
-/// An elementary scalar whose `<` gives a `bool`. Batches (a mask), intervals (undecided) and symbols (a relation) are not.
+/// An elementary scalar whose `<` gives a `bool`. Batches (a mask), intervals (undecided) and symbols (a relation) are
+/// not.
 template <class T>
 concept Ordered = Elementary<T> && requires(const T& x, const T& y) {
   { x < y } -> std::same_as<bool>;
@@ -103,8 +105,8 @@ template <Elementary T>
   return T(atan2(y, x));
 }
 
-/// π in the arithmetic of T: correctly rounded for built-in types, else atan2(0, −1), which is π itself for a symbolic type and
-/// an enclosure of π for intervals.
+/// π in the arithmetic of T: correctly rounded for built-in types, else atan2(0, −1), which is π itself for a symbolic
+/// type and an enclosure of π for intervals.
 template <Elementary T>
 [[nodiscard]] constexpr T pi() {
   if constexpr (std::floating_point<T>) {
@@ -144,15 +146,16 @@ struct Wider<double> {
 };
 }  // namespace detail
 
-/// The type in which an algorithm evaluates a short formula before it rounds once to T: float → double → long double; every
-/// other scalar stays as it is. On x86-64 and 64-bit ARM Linux long double has at least 11 more bits than double; where it has
-/// none more (MSVC), results are those of the formula in double, up to 23 ulp for a moment near b = h.
+/// The type in which an algorithm evaluates a short formula before it rounds once to T: float → double → long double;
+/// every other scalar stays as it is. On x86-64 and 64-bit ARM Linux long double has at least 11 more bits than
+/// double; where it has none more (MSVC), results are those of the formula in double, up to some 20 ulp for a moment
+/// near b = h.
 template <class T>
 using wider_t = typename detail::Wider<T>::type;
 
 template <Ordered T>
 [[nodiscard]] constexpr bool is_finite(const T& x) {
-  const T zero = T(x - x);  // NaN for NaN and for ±infinity, and NaN is not below 1
+  const T zero = T(x - x);  // NOLINT(misc-redundant-expression): NaN for NaN and for ±infinity, and NaN is not below 1
   return zero < T(1);
 }
 

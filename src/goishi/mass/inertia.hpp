@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Mass and principal moments in closed form, about the centre of mass, in frame B (Bz the symmetry axis), uniform density.
+/// Mass and principal moments in closed form, about the centre of mass, in frame B (Bz the symmetry axis), uniform
+/// density.
 
 #include <goishi/error.hpp>
 #include <goishi/mass/volume.hpp>
@@ -37,7 +38,9 @@ template <Elementary T>
 
 /// Moments of the sharp lens per unit mass, the squared radii of gyration   [m²].
 ///
-///     I_a/m = (10c⁴ + 5a²c² + a⁴) / (10 (3c² + a²)),   I_t/m = (10c⁴ + 15a²c² + 7a⁴) / (20 (3c² + a²)),   a = h/2, c = w/2
+///     I_a/m = (10c⁴ + 5a²c² + a⁴) / (10 (3c² + a²)),   I_t/m = (10c⁴ + 15a²c² + 7a⁴) / (20 (3c² + a²))
+///
+/// with a = h/2, c = w/2.
 ///
 /// Domain  0 < h <= w.   Limits  h = w: both w²/10 (ball).   h -> 0: w²/12 and w²/24.
 /// Error   all terms positive; claim MASS-1.   Proof  derivations/lens.cpp.
@@ -58,8 +61,9 @@ template <Field T>
 ///     I_t = I_a/2 + π [ (k/30)(10 g² (3P_x² + k²) + 10 g k (2P_x² + k²) + k² (5P_x² + 3k²))
 ///                       + 2 r₂³ (r₁² D₁ + 2 r₁ r₂ D₂ + r₂² D₃) ]
 ///
-/// In each bracket the first term is the caps (½∫ρ⁴ dz, and ∫ρ²z² dz), the second the band; a cap is integrated in the depth
-/// below the joint, where every term is positive. P_x² stands for k (2r − k), so that k⁴ may underflow without harm.
+/// In each bracket the first term is the caps (½∫ρ⁴ dz, and ∫ρ²z² dz), the second the band; a cap is integrated in the
+/// depth below the joint, where every term is positive. P_x² stands for k (2r − k), so that k⁴ may underflow without
+/// harm.
 /// Limits  b -> 0: `lens_moments`.   Error  claim MASS-2.   Proof  derivations/bevel.cpp.
 template <Elementary T, class S>
 [[nodiscard]] Moments<T> bevelled_moments(const Stone<S>& stone, const BevelTerms<T>& terms) {
@@ -116,12 +120,13 @@ struct MassProperties {
 
 namespace detail {
 
-/// Everything at density 1, evaluated in the next wider type and rounded once; only the joint's angle, which enters gently, is
-/// taken in T, where atan2 is three times faster.
+/// Everything at density 1, evaluated in the next wider type and rounded once; only the joint's angle, which enters
+/// gently, is taken in T, where atan2 is three times faster.
 template <Ordered T>
 [[nodiscard]] MassProperties<T> unit_density_properties(const Stone<T>& stone) {
   using Wide = scalar::wider_t<T>;
-  const auto rounded = [](const Wide& volume, const Wide& area, const Moments<Wide>& moments, const Moments<Wide>& per_mass) {
+  const auto rounded = [](const Wide& volume, const Wide& area, const Moments<Wide>& moments,
+                          const Moments<Wide>& per_mass) {
     return MassProperties<T>{.volume = T(volume),
                              .surface_area = T(area),
                              .density = T(1),
@@ -148,7 +153,8 @@ template <Ordered T>
 /// Mass properties of a stone of uniform density. Closed forms, sharp or bevelled; one stone size needs this once.
 ///
 /// Domain  a stone from `make_stone` or `make_measured_stone`; density > 0 and finite, else InvalidArgument.
-/// Error   sharp <= 2 ulp (MASS-1), bevelled <= 8 ulp (MASS-2), float and double, over the whole domain of `make_stone`.
+/// Error   sharp <= 2 ulp (MASS-1), bevelled <= 8 ulp (MASS-2), float and double, over the whole domain of
+///         `make_stone`.
 /// Source  volume and both moments by GSL quadrature (GSL-1 … GSL-4).
 template <Ordered T>
 [[nodiscard]] MassProperties<T> mass_properties(const Stone<T>& stone, const Density<T>& density) {

@@ -46,8 +46,9 @@ template <Field T>
 
 }  // namespace formula
 
-/// The talk's general form I = [[Ixx, Iyx, Izx], [Ixy, Iyy, Izy], [Ixz, Iyz, Izz]]: the full inertia tensor of a stone at p_WB with
-/// attitude q_WB, about the origin of W, in W   [kg m²]. Off-diagonal entries are minus the products of inertia.
+/// The talk's general form I = [[Ixx, Iyx, Izx], [Ixy, Iyy, Izy], [Ixz, Iyz, Izz]]: the full inertia tensor of a stone
+/// at p_WB with attitude q_WB, about the origin of W, in W   [kg m²]. Off-diagonal entries are minus the products of
+/// inertia.
 ///
 /// Domain  q_WB a unit quaternion, p_WB finite, else InvalidArgument.
 /// Source  nested integration of the solid itself (GSL-4).
@@ -62,15 +63,17 @@ template <Ordered T>
 template <class T>
 struct PrincipalAxes {
   Vec3<T> moments = Vec3<T>::Constant(scalar::unset<T>());  // [kg m²], ascending
-  Mat3<T> R_WP = Mat3<T>::Constant(scalar::unset<T>());     // columns: the axes; where moments are equal, any pair across
+  Mat3<T> R_WP = Mat3<T>::Constant(scalar::unset<T>());  // columns: the axes; where moments are equal, any pair across
 };
 
-/// Whether a rigid body can have this tensor: symmetric, positive, and no moment above the sum of the other two (triangle
-/// inequality; equality is a lamina). `slack`, in units of the trace, admits round-off: a lamina's own tensor, rotated, must pass.
+/// Whether a rigid body can have this tensor: symmetric, positive, and no moment above the sum of the other two
+/// (triangle inequality; equality is a lamina). `slack`, in units of the trace, admits round-off: a lamina's own
+/// tensor, rotated, must pass.
 ///
 /// Returns the rule that is broken, or nullptr.
 template <Ordered T>
-[[nodiscard]] const char* broken_inertia_rule(const Vec3<T>& moments, const T& slack = T(16) * std::numeric_limits<T>::epsilon()) {
+[[nodiscard]] const char* broken_inertia_rule(const Vec3<T>& moments,
+                                              const T& slack = T(16) * std::numeric_limits<T>::epsilon()) {
   const T trace = moments.sum();
   if (!scalar::is_finite(trace)) {
     return "must be finite";
@@ -103,7 +106,8 @@ template <Ordered T>
   const T trace = tensor.trace();
   const T asymmetry = (tensor - tensor.transpose()).cwiseAbs().maxCoeff();
   require(scalar::is_finite(trace), "tensor", trace, "must be finite");
-  require(!(T(16) * std::numeric_limits<T>::epsilon() * trace < asymmetry), "tensor", asymmetry, "must be symmetric (largest difference shown)");
+  require(!(T(16) * std::numeric_limits<T>::epsilon() * trace < asymmetry), "tensor", asymmetry,
+          "must be symmetric (largest difference shown)");
   // Scaled to trace 1, so that moments of any unit neither overflow nor underflow in the solver.
   const Eigen::SelfAdjointEigenSolver<Mat3<T>> solver(Mat3<T>((tensor + tensor.transpose()) / (T(2) * trace)));
   PrincipalAxes<T> result{.moments = Vec3<T>(solver.eigenvalues() * trace), .R_WP = solver.eigenvectors()};

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Volume and surface area in closed form: of the sharp lens by width and height, of the bevelled stone by its parts (two
-/// caps of height k = (h − b)/2 and base radius P_x, and the band cut from the torus).
+/// Volume and surface area in closed form: of the sharp lens by width and height, of the bevelled stone by its parts
+/// (two caps of height k = (h − b)/2 and base radius P_x, and the band cut from the torus).
 
 #include <goishi/scalar.hpp>
 #include <goishi/shape/stone.hpp>
@@ -14,7 +14,7 @@ namespace formula {
 ///
 ///     V = (π/3) a (3c² + a²),   a = h/2, c = w/2
 ///
-/// Domain  0 < h <= w.   Limits  h = w: π w³/6 (ball).   h -> 0: π h w²/8.   Sandwich  double cone <= V <= ellipsoid (MASS-LAW-2).
+/// Domain  0 < h <= w.   Limits  h = w: π w³/6 (ball).   h -> 0: π h w²/8.
 /// Error   all terms positive; claim MASS-1.   Proof  derivations/lens.cpp.
 template <Elementary T>
 [[nodiscard]] constexpr T lens_volume(const T& width, const T& height) {
@@ -63,7 +63,8 @@ template <Field T>
           .d3 = T(cube * (T(2) + T(3) * square) * (T(1) / T(15)))};
 }
 
-/// What the mass formulas of a bevelled stone share. T is the scalar of the evaluation; the stone's own may be narrower.
+/// What the mass formulas of a bevelled stone share. T is the scalar of the evaluation; the stone's own may be
+/// narrower.
 template <class T>
 struct BevelTerms {
   T cap_height;    // k = (h − b)/2

@@ -1,7 +1,8 @@
 #pragma once
 /// \file
-/// The bevel: a band of height b at the rim, cut from a torus (major radius r₁, minor radius r₂) tangent to both caps. The
-/// joint is the circle where cap and torus touch: radius P_x, height b/2, its normal (cos α, sin α) in the meridian plane.
+/// The bevel: a band of height b at the rim, cut from a torus (major radius r₁, minor radius r₂) tangent to both caps.
+/// The joint is the circle where cap and torus touch: radius P_x, height b/2, its normal (cos α, sin α) in the
+/// meridian plane.
 
 #include <goishi/scalar.hpp>
 
@@ -28,8 +29,8 @@ namespace formula {
 ///
 /// Domain  0 < h, 0 <= b < h, 0 <= d, and not b = d = 0 (the sharp ball: 0/0).
 /// Limits  b -> 0: r₁ = w/2, r₂ = 0.   d = 0: r₁ = 0, r₂ = h/2 (the ball, whatever b).
-/// Error   every sum has positive terms, h − b is the data's own difference; claim SHAPE-2. The talk's r − √(d² + r₁²) for r₂
-///         loses all digits on thin stones, its √(r² + y²) for P_x is wrong: claim PUBLISHED-4.
+/// Error   every sum has positive terms, h − b is the data's own difference; claim SHAPE-2. The talk's r − √(d² + r₁²)
+///         for r₂ loses all digits on thin stones, its √(r² + y²) for P_x is wrong: claim PUBLISHED-5.
 /// Proof   derivations/bevel.cpp.
 template <Elementary T>
 [[nodiscard]] Bevel<T> bevel(const T& height, const T& bevel_height, const T& sphere_offset) {
@@ -46,7 +47,7 @@ template <Elementary T>
           .joint_sine = T(joint_offset / sphere_radius)};
 }
 
-/// Sphere offset d of the lens whose *finished* stone, bevelled with height b, has width 2(r₁ + r₂) = w and height h   [m].
+/// Sphere offset d of the lens whose *finished* stone, bevelled with height b, is w wide and h thick   [m].
 ///
 ///     d = (w − h) [A + √(A² + 8 b (h − b))] / (8 (h − b)),   A = w + h − 2b = (w − b) + (h − b)
 ///

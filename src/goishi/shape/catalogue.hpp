@@ -2,7 +2,8 @@
 /// \file
 /// The stone sizes that are sold: 14 numbers (号), white and black.
 ///
-/// Dimensions are decimal data, held as whole micrometres, so that every scalar gets them exactly: T(22000) / T(1000000).
+/// Dimensions are decimal data, held as whole micrometres, so that every scalar gets them exactly: T(22000) /
+/// T(1000000).
 
 #include <algorithm>
 #include <array>
@@ -25,13 +26,13 @@ namespace catalogue {
 /// Diameter of a white stone, whatever its number   [µm]. Source: the talk; the Nihon Ki-in gives 21.9 mm.
 inline constexpr int white_width = 22000;
 
-/// What a black stone of the same number is larger by   [µm]. Source: Nihon Ki-in ("about"), 0.3 mm in diameter, 0.6 mm in
-/// thickness. The original program had 0.3 cm.
+/// What a black stone of the same number is larger by   [µm]. Source: Nihon Ki-in ("about"), 0.3 mm in diameter, 0.6
+/// mm in thickness. The original program had 0.3 cm.
 inline constexpr int black_wider = 300;
 inline constexpr int black_thicker = 600;
 
-/// Assumed densities   [kg/m³]. General values of the materials, measured on no stone: clam shell about 2.8 g/cm³, slate
-/// 2.7 … 2.8 g/cm³ (the middle).
+/// Assumed densities   [kg/m³]. General values of the materials, measured on no stone: clam shell about 2.8 g/cm³,
+/// slate 2.7 … 2.8 g/cm³ (the middle).
 inline constexpr int assumed_white_density = 2800;
 inline constexpr int assumed_black_density = 2750;
 

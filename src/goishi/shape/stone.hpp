@@ -95,22 +95,24 @@ void require_bevel(const T& bevel, const T& height) {
 
 }  // namespace detail
 
-/// The talk's stone: a lens of width w and height h, its rim then bevelled with height b. Bevelling shrinks it: the finished
-/// stone is `outer_width` = 2(r₁ + r₂) < w wide.
+/// The talk's stone: a lens of width w and height h, its rim then bevelled with height b. Bevelling shrinks it: the
+/// finished stone is `outer_width` = 2(r₁ + r₂) < w wide.
 ///
 /// Domain  0 < h <= w, 0 <= b < h; else InvalidArgument.   Limits  h = w is the ball, b = 0 the sharp lens: ordinary.
-/// Error   each field within 1 ulp (float, double) for h/w from 1e-9 to 1, b/h from 1e-12 to 1 − 1e-9 (claims SHAPE-1, SHAPE-2).
+/// Error   each field within 1 ulp (float, double) for h/w from 1e-9 to 1, b/h from 1e-12 to 1 − 1e-9 (claims SHAPE-1,
+///         SHAPE-2).
 template <Ordered T>
 [[nodiscard]] Stone<T> make_stone(const T& width, const T& height, const T& bevel = T(0)) {
   using Wide = scalar::wider_t<T>;
   detail::require_lens("width", width, height);
   detail::require_bevel(bevel, height);
   const Wide w(width), h(height), b(bevel);
-  return stone_cast<T>(T(0) < bevel ? formula::bevelled_stone(w, h, b, formula::sphere_offset(w, h)) : formula::sharp_stone(w, h));
+  return stone_cast<T>(T(0) < bevel ? formula::bevelled_stone(w, h, b, formula::sphere_offset(w, h))
+                                    : formula::sharp_stone(w, h));
 }
 
-/// The customer's stone: the *finished* stone is `outer_width` wide and `height` thick, with a bevel band of height b. `width` of
-/// the result is that of the generating lens, which is wider.
+/// The customer's stone: the *finished* stone is `outer_width` wide and `height` thick, with a bevel band of height b.
+/// `width` of the result is that of the generating lens, which is wider.
 ///
 /// Domain  0 < h <= outer width, 0 <= b < h; else InvalidArgument.
 /// Error   each field within 1 ulp (float, double), over the domain of `make_stone` (claim SHAPE-3).

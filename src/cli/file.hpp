@@ -1,0 +1,20 @@
+#pragma once
+/// \file
+/// Files, whole or not at all. Every failure is an exception: a full device is noticed.
+
+#include <string>
+#include <string_view>
+
+namespace goishi::cli {
+
+/// Throws std::runtime_error when the text cannot be written to the end.
+void write_standard_output(std::string_view text);
+
+/// Writes under a temporary name in the same folder, then renames; on failure FILE is as it was,
+/// nothing else is left, and the exception is InvalidArgument. A device or a pipe is written directly.
+void write_file(const std::string& argument, const std::string& file, std::string_view text);
+
+/// InvalidArgument when the file cannot be read.
+[[nodiscard]] std::string read_file(const std::string& argument, const std::string& file);
+
+}  // namespace goishi::cli

@@ -1,0 +1,155 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <goishi/shape/catalogue.hpp>
+#include <goishi/shape/stone.hpp>
+#include <limits>
+#include <set>
+#include <string>
+
+namespace {
+
+using namespace goishi;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A bad call throws InvalidArgument that names the argument, and says its value and rule in one line.
+template <class Call>
+void expect_refused(Call&& call, const std::string& argument, const std::string& what) {
+  try {
+    call();
+    ADD_FAILURE() << "accepted: " << what;
+  } catch (const InvalidArgument& error) {
+    EXPECT_EQ(error.argument(), argument);
+    EXPECT_EQ(error.what(), what);
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+  }
+}
+
+TEST(Stone, IsNanUntilMade) {
+  const Stone<double> stone;
+  EXPECT_TRUE(std::isnan(stone.width));
+  EXPECT_TRUE(std::isnan(stone.joint_sine));
+}
+
+TEST(Stone, OfThePublishedExample) {
+  // 22 × 9.2 mm by hand: r = (484 + 84.64)/36.8, d = r − 4.6.
+  const Stone<double> stone = make_stone(22.0, 9.2);
+  EXPECT_DOUBLE_EQ(stone.sphere_radius, 568.64 / 36.8);
+  EXPECT_DOUBLE_EQ(stone.sphere_offset, (568.64 - 169.28) / 36.8);
+  EXPECT_EQ(stone.bevel_major_radius, 11.0);
+  EXPECT_EQ(stone.bevel_minor_radius, 0.0);
+  EXPECT_EQ(outer_width(stone), 22.0);
+}
+
+TEST(Stone, BevelShrinksThePublishedAndNotTheMeasuredStone) {
+  EXPECT_NEAR(outer_width(make_stone(22.0, 9.2, 1.0)), 21.40, 0.005);
+  const Stone<double> measured = make_measured_stone(22.0, 9.2, 1.0);
+  EXPECT_DOUBLE_EQ(outer_width(measured), 22.0);
+  EXPECT_NEAR(measured.sphere_offset, 11.6102, 0.00005);
+  EXPECT_NEAR(measured.sphere_radius, 16.2102, 0.00005);
+  EXPECT_GT(measured.width, 22.0);
+}
+
+TEST(Stone, SharpIsTheSameBothWays) {
+  const Stone<double> published = make_stone(22.0, 9.2);
+  const Stone<double> measured = make_measured_stone(22.0, 9.2, 0.0);
+  EXPECT_EQ(published.sphere_radius, measured.sphere_radius);
+  EXPECT_EQ(published.width, measured.width);
+}
+
+TEST(Stone, BallSharpAndBevelled) {
+  const Stone<double> sharp = make_stone(2.0, 2.0);
+  EXPECT_EQ(sharp.sphere_radius, 1.0);
+  EXPECT_EQ(sharp.sphere_offset, 0.0);
+  EXPECT_EQ(sharp.bevel_minor_radius, 0.0);
+  const Stone<double> bevelled = make_stone(2.0, 2.0, 0.5);
+  EXPECT_EQ(bevelled.bevel_major_radius, 0.0);
+  EXPECT_EQ(bevelled.bevel_minor_radius, 1.0);
+  EXPECT_EQ(bevelled.core_sphere_radius, 0.0);
+  EXPECT_EQ(outer_width(bevelled), 2.0);
+}
+
+TEST(Stone, RefusesWhatNoStoneHas) {
+  const std::string positive = ": must be positive and finite";
+  expect_refused([] { (void)make_stone(0.0, 0.01); }, "width", "width = 0" + positive);
+  expect_refused([] { (void)make_stone(-0.022, 0.01); }, "width", "width = -0.022" + positive);
+  expect_refused([] { (void)make_stone(nan, 0.01); }, "width", "width = nan" + positive);
+  expect_refused([] { (void)make_stone(infinity, 0.01); }, "width", "width = inf" + positive);
+  expect_refused([] { (void)make_stone(0.022, 0.0); }, "height", "height = 0" + positive);
+  expect_refused([] { (void)make_stone(0.022, nan); }, "height", "height = nan" + positive);
+  expect_refused([] { (void)make_stone(0.022, 0.03); }, "height", "height = 0.03: must not exceed the width (0.022)");
+  const std::string rule = ": must be at least 0 and below the height (0.01)";
+  expect_refused([] { (void)make_stone(0.022, 0.01, 0.01); }, "bevel", "bevel = 0.01" + rule);
+  expect_refused([] { (void)make_stone(0.022, 0.01, 0.02); }, "bevel", "bevel = 0.02" + rule);
+  expect_refused([] { (void)make_stone(0.022, 0.01, -0.001); }, "bevel", "bevel = -0.001" + rule);
+  expect_refused([] { (void)make_stone(0.022, 0.01, nan); }, "bevel", "bevel = nan" + rule);
+  expect_refused([] { (void)make_measured_stone(0.022, 0.03, 0.001); }, "height",
+                 "height = 0.03: must not exceed the outer_width (0.022)");
+  expect_refused([] { (void)make_measured_stone(nan, 0.03, 0.001); }, "outer_width", "outer_width = nan" + positive);
+}
+
+TEST(Stone, RefusesInFloatToo) {
+  EXPECT_THROW((void)make_stone(0.022F, 0.03F), InvalidArgument);
+  EXPECT_THROW((void)make_stone(std::numeric_limits<float>::quiet_NaN(), 0.03F), InvalidArgument);
+}
+
+/// RapidCheck shrinks whole numbers well: shapes on a grid.
+struct Shape {
+  double width, height, bevel;
+};
+Shape draw() {
+  const double width = *rc::gen::inRange(1, 100001) * 1e-5;
+  const double height = width * *rc::gen::inRange(1, 100001) * 1e-5;
+  const double bevel = height * *rc::gen::inRange(0, 100000) * 1e-5;
+  return {width, height, bevel};
+}
+
+RC_GTEST_PROP(Stone, CoreLensPlusBallTouchesTheSphere, ()) {
+  const auto [w, h, b] = draw();
+  const Stone<double> stone = make_stone(w, h, b);
+  const double core = std::hypot(stone.sphere_offset, stone.bevel_major_radius);
+  RC_ASSERT(std::fabs(core - stone.core_sphere_radius) <= 4e-16 * stone.sphere_radius);
+  RC_ASSERT(stone.core_sphere_radius + stone.bevel_minor_radius <= stone.sphere_radius * (1 + 4e-16));
+  RC_ASSERT(outer_width(stone) <= w * (1 + 4e-16));
+}
+
+RC_GTEST_PROP(Stone, MoreBevelIsNarrower, ()) {
+  const auto [w, h, b] = draw();
+  RC_ASSERT(outer_width(make_stone(w, h, b)) <= outer_width(make_stone(w, h, b / 2)) * (1 + 4e-16));
+}
+
+RC_GTEST_PROP(Stone, JointNormalIsAUnitVector, ()) {
+  const auto [w, h, b] = draw();
+  const Stone<double> stone = make_stone(w, h, b);
+  RC_ASSERT(std::fabs(std::hypot(stone.joint_cosine, stone.joint_sine) - 1) <= 4e-16);
+  RC_ASSERT(stone.joint_cosine > 0);
+  RC_ASSERT(stone.joint_sine >= 0);
+}
+
+TEST(Catalogue, HasFourteenSizesThatGrow) {
+  ASSERT_EQ(catalogue::sizes.size(), 14U);
+  for (std::size_t i = 1; i < catalogue::sizes.size(); ++i) {
+    EXPECT_LT(catalogue::sizes[i - 1].number, catalogue::sizes[i].number);
+    EXPECT_LT(catalogue::sizes[i - 1].white_height, catalogue::sizes[i].white_height);
+  }
+}
+
+TEST(Catalogue, BlackIsThreeTenthsWiderAndSixTenthsThicker) {
+  const CatalogueStone white = catalogue_stone(33, StoneColor::white);
+  const CatalogueStone black = catalogue_stone(33, StoneColor::black);
+  EXPECT_EQ(white.width, 22000);
+  EXPECT_EQ(white.height, 9200);
+  EXPECT_EQ(black.width - white.width, 300);
+  EXPECT_EQ(black.height - white.height, 600);
+  EXPECT_EQ(metres<double>(white.height), 0.0092);
+}
+
+TEST(Catalogue, RefusesAnUnknownSize) {
+  expect_refused([] { (void)catalogue_stone(23, StoneColor::white); }, "size",
+                 "size = 23: must be one of 22 25 28 30 31 32 33 34 35 36 37 38 39 40");
+}
+
+}  // namespace

@@ -1,0 +1,161 @@
+/// The checkers themselves: what must fail fails, above all NaN.
+
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <limits>
+
+#include "verify/claim.hpp"
+#include "verify/run.hpp"
+#include "verify/ulps.hpp"
+
+namespace {
+
+using namespace goishi::verify;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Claim claim_with(double bound, double resolution = 0.0) {
+  return {.id = "TEST-1",
+          .statement = "A claim.",
+          .function = "none",
+          .family = OracleFamily::exact,
+          .oracle = "none",
+          .unit = "ulp",
+          .bound = bound,
+          .reason = "none",
+          .resolution = resolution,
+          .mutants = {},
+          .measure = {}};
+}
+
+Measurement measured(double error, std::uint64_t cases = 1) {
+  Measurement result;
+  result.error = error;
+  result.cases = cases;
+  return result;
+}
+
+TEST(Judge, HoldsWithinTheBound) {
+  const Verdict verdict = judge(claim_with(4.0), measured(2.0));
+  EXPECT_TRUE(verdict.holds);
+  EXPECT_EQ(verdict.slack, 2.0);
+  EXPECT_TRUE(verdict.why.empty());
+}
+
+TEST(Judge, FailsAboveTheBound) {
+  EXPECT_FALSE(judge(claim_with(4.0), measured(4.000001)).holds);
+}
+
+TEST(Judge, FailsOnNan) {
+  EXPECT_FALSE(judge(claim_with(4.0), measured(nan)).holds);
+  EXPECT_FALSE(judge(claim_with(nan), measured(1.0)).holds);
+  EXPECT_FALSE(judge(claim_with(0.0), measured(nan)).holds);
+}
+
+TEST(Judge, FailsOnABoundThatGuardsNothing) {
+  EXPECT_TRUE(judge(claim_with(100.0), measured(1.0)).holds);
+  EXPECT_FALSE(judge(claim_with(100.1), measured(1.0)).holds);
+  EXPECT_FALSE(judge(claim_with(4.0), measured(0.0)).holds);      // no resolution given: 0 is suspicious
+  EXPECT_TRUE(judge(claim_with(4.0, 1.0), measured(0.0)).holds);  // less than one ulp counts as one
+  EXPECT_FALSE(judge(claim_with(infinity), measured(1.0)).holds);
+}
+
+TEST(Judge, FailsWithoutCases) {
+  EXPECT_FALSE(judge(claim_with(4.0), measured(1.0, 0)).holds);
+}
+
+TEST(Judge, ExactClaimsTakeZeroAndNothingElse) {
+  EXPECT_TRUE(judge(claim_with(0.0), measured(0.0)).holds);
+  EXPECT_FALSE(judge(claim_with(0.0), measured(std::numeric_limits<double>::denorm_min())).holds);
+}
+
+TEST(Worst, KeepsTheWorstAndNan) {
+  Worst worst;
+  worst.see(1.0, [] { return "a"; });
+  worst.see(3.0, [] { return "b"; });
+  worst.see(2.0, [] { return "c"; });
+  EXPECT_EQ(worst.measurement().error, 3.0);
+  EXPECT_EQ(worst.measurement().worst_case, "b");
+  worst.see(nan, [] { return "d"; });
+  worst.see(4.0, [] { return "e"; });
+  EXPECT_TRUE(std::isnan(worst.measurement().error));
+  EXPECT_EQ(worst.measurement().worst_case, "d");
+  EXPECT_EQ(worst.measurement().cases, 5U);
+}
+
+TEST(Worst, OfNothingIsNan) {
+  EXPECT_TRUE(std::isnan(Worst().measurement().error));
+}
+
+TEST(Ulps, CountsInTheGridOfTheResult) {
+  using Wide = boost::multiprecision::cpp_bin_float_50;
+  EXPECT_EQ(ulps(1.0, Wide(1)), 0.0);
+  EXPECT_EQ(ulps(std::nextafter(1.0, 2.0), Wide(1)), 1.0);
+  EXPECT_EQ(ulps(std::nextafter(1.0F, 2.0F), Wide(1)), 1.0);
+  EXPECT_EQ(ulps(1.0, Wide(1) + Wide(std::numeric_limits<double>::epsilon()) / 4), 0.25);
+  EXPECT_EQ(ulps(-3.0, Wide(-3) + Wide(std::numeric_limits<double>::epsilon())), 0.5);
+}
+
+TEST(Ulps, NanAndInfinityAreNan) {
+  using Wide = boost::multiprecision::cpp_bin_float_50;
+  EXPECT_TRUE(std::isnan(ulps(nan, Wide(1))));
+  EXPECT_TRUE(std::isnan(ulps(infinity, Wide(1))));
+  EXPECT_TRUE(std::isnan(ulps(1.0, Wide(nan))));
+}
+
+TEST(Matches, GlobsAndLists) {
+  EXPECT_TRUE(matches("GSL-1", "*"));
+  EXPECT_TRUE(matches("GSL-1", "GSL-*"));
+  EXPECT_TRUE(matches("GSL-1", "MASS-*,GSL-?"));
+  EXPECT_TRUE(matches("GSL-1", "GSL-1"));
+  EXPECT_FALSE(matches("GSL-12", "GSL-?"));
+  EXPECT_FALSE(matches("GSL-1", "gsl-1"));
+  EXPECT_FALSE(matches("GSL-1", ""));
+}
+
+std::vector<Claim> three_claims() {
+  std::vector<Claim> claims = {claim_with(1.0, 0.1), claim_with(1.0, 0.1), claim_with(1.0, 0.1)};
+  claims[0].id = "A";
+  claims[1].id = "B";
+  claims[2].id = "C";
+  claims[0].measure = [](Context& context) { return measured(context.uniform(0.2, 0.9)); };
+  claims[1].measure = [](Context&) -> Measurement { throw std::runtime_error("no root found"); };
+  claims[2].measure = [](Context& context) { return measured(context.produced(0.5)); };
+  return claims;
+}
+
+TEST(Run, AClaimThatThrowsDoesNotHold) {
+  const auto claims = three_claims();
+  std::size_t finished = 0;
+  const auto run =
+      run_claims(claims, make_stamp(1, Tier::quick), 1, [&](const Result&, std::size_t count) { finished = count; });
+  ASSERT_EQ(run.results.size(), 3U);
+  EXPECT_EQ(finished, 3U);
+  EXPECT_EQ(run.failures(), 1U);
+  EXPECT_TRUE(run.results[0].verdict.holds);
+  EXPECT_FALSE(run.results[1].verdict.holds);
+  EXPECT_NE(run.results[1].verdict.why.find("no root found"), std::string::npos);
+}
+
+TEST(Run, IsTheSameForAnyNumberOfThreads) {
+  const auto claims = three_claims();
+  const auto error_of_first = [&](unsigned threads, std::uint64_t seed) {
+    return run_claims(claims, make_stamp(seed, Tier::quick), threads, [](const Result&, std::size_t) {})
+        .results[0]
+        .measurement.error;
+  };
+  EXPECT_EQ(error_of_first(1, 7), error_of_first(3, 7));
+  EXPECT_NE(error_of_first(1, 7), error_of_first(1, 8));
+}
+
+TEST(Context, PerturbsWhatIsProduced) {
+  const Context exact(Tier::quick, 1, "A");
+  const Context off(Tier::quick, 1, "A", 0.5);
+  EXPECT_EQ(exact.produced(2.0), 2.0);
+  EXPECT_EQ(off.produced(2.0), 3.0);
+}
+
+}  // namespace

@@ -1,0 +1,152 @@
+#pragma once
+/// \file
+/// What a claim is: a sentence about a production function, an oracle of another family, a measured error, a bound
+/// with its reason, and the wrong changes to the source that it is known to catch.
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <random>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace goishi::verify {
+
+/// Best first.
+enum class OracleFamily { exact, invariant, metamorphic, independent, published, regression };
+[[nodiscard]] std::string_view to_string(OracleFamily family);
+
+/// quick: seconds, on every build. full: more samples, and the claims that are dear.
+enum class Tier { quick, full };
+[[nodiscard]] std::string_view to_string(Tier tier);
+
+/// A small wrong change to a production file that the claim must notice: the first occurrence of `from` becomes `to`.
+struct Mutant {
+  std::string file;  // below src/goishi, as "mass/volume.hpp"
+  std::string from;
+  std::string to;
+};
+
+/// A curve of a plot that a measurement leaves for the report.
+struct Series {
+  std::string name;
+  std::vector<std::pair<double, double>> points;  // (x, y)
+  bool line = true;                               // else markers only
+};
+
+struct Plot {
+  std::string title;
+  std::string x_label;  // with unit
+  std::string y_label;
+  bool log_x = false;
+  bool log_y = false;
+  bool equal_scale = false;  // same scale on both axes, for shapes
+  std::vector<Series> series;
+};
+
+/// A further figure that people want to read beside the error: "volume V' = 2.5333626 cm³, right is 1.8505405 cm³".
+struct Figure {
+  std::string name;
+  std::string value;
+};
+
+struct Measurement {
+  double error = std::numeric_limits<double>::quiet_NaN();  // the worst found, in the claim's unit
+  std::uint64_t cases = 0;                                  // how many values were compared
+  std::string worst_case;                                   // the arguments of the worst, so that it can be repeated
+  std::vector<Figure> figures;
+  std::vector<Plot> plots;
+};
+
+/// A run's settings, and the claim's own random numbers: the same for a seed and an id, whatever else runs.
+class Context {
+ public:
+  Context(Tier tier, std::uint64_t seed, std::string_view claim_id, double perturbation = 0.0);
+
+  [[nodiscard]] Tier tier() const { return tier_; }
+  /// A number of samples: `quick` in the quick tier, `full` in the full one.
+  [[nodiscard]] int samples(int quick, int full) const { return tier_ == Tier::quick ? quick : full; }
+  [[nodiscard]] std::mt19937_64& random() { return random_; }
+  [[nodiscard]] double uniform(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
+
+  /// Every production value passes through here on its way to the comparison. The suite perturbs it by a relative
+  /// amount to find the smallest error that the claim still sees.
+  template <class T>
+  [[nodiscard]] T produced(const T& value) const {
+    return perturbation_ == 0.0 ? value : T(value * (1.0 + perturbation_));
+  }
+
+ private:
+  Tier tier_;
+  std::mt19937_64 random_;
+  double perturbation_;
+};
+
+struct Claim {
+  std::string id;         // "MASS-1"
+  std::string statement;  // a sentence that a user can read
+  std::string function;   // the production function that it is about
+  OracleFamily family;
+  std::string oracle;  // the witness, in a phrase
+  std::string unit;    // of error and bound: "ulp", "relative", "count", …
+  double bound;
+  std::string reason;       // where the bound comes from: derived, or "measured" with the date
+  double resolution = 0.0;  // one ulp of the quantity, in the unit; a smaller error counts as this much
+  std::vector<Mutant> mutants;
+  std::function<Measurement(Context&)> measure;
+};
+
+/// A bound that is this many times what is measured guards nothing: the claim fails.
+inline constexpr double greatest_slack = 100.0;
+
+struct Verdict {
+  bool holds = false;
+  double slack = 0.0;  // bound / max(error, resolution); 1 for an exact claim that holds
+  std::string why;     // why it does not hold; empty if it does
+};
+
+/// NaN fails, an error above the bound fails, a slack over `greatest_slack` fails, no case compared fails.
+[[nodiscard]] Verdict judge(const Claim& claim, const Measurement& measurement);
+
+struct Result {
+  const Claim* claim = nullptr;
+  Measurement measurement;
+  Verdict verdict;
+  double seconds = 0.0;
+};
+
+/// Keeps the worst of many comparisons. A NaN is worse than everything.
+class Worst {
+ public:
+  /// `describe` is called only when this error is the worst so far.
+  template <class Describe>
+  void see(double error, Describe&& describe) {
+    ++cases_;
+    if (!(error <= error_)) {
+      if (!(error_ != error_)) {
+        error_ = error;
+        worst_case_ = describe();
+      }
+    }
+  }
+  [[nodiscard]] double error() const { return error_; }
+  [[nodiscard]] std::uint64_t cases() const { return cases_; }
+  [[nodiscard]] Measurement measurement() const {
+    Measurement result;
+    result.error = cases_ == 0 ? std::numeric_limits<double>::quiet_NaN() : error_;
+    result.cases = cases_;
+    result.worst_case = worst_case_;
+    return result;
+  }
+
+ private:
+  double error_ = -1.0;
+  std::uint64_t cases_ = 0;
+  std::string worst_case_;
+};
+
+}  // namespace goishi::verify

@@ -1,0 +1,21 @@
+#pragma once
+/// \file
+/// All claims, one file per subject.
+
+#include <vector>
+
+#include "verify/claim.hpp"
+
+namespace goishi::verify {
+
+[[nodiscard]] std::vector<Claim> accuracy_claims();   // SHAPE, MASS: ulps of float and double
+[[nodiscard]] std::vector<Claim> enclosure_claims();  // ENCLOSURE: balls contain, and are narrow
+[[nodiscard]] std::vector<Claim> gsl_claims();        // GSL: quadrature of profile and solid
+[[nodiscard]] std::vector<Claim> law_claims();        // LAW: limits, scaling, sandwich, Steiner
+[[nodiscard]] std::vector<Claim> tensor_claims();     // TENSOR: frames, points, principal axes
+[[nodiscard]] std::vector<Claim> table_claims();      // TABLE: the generated inertia table, certified
+[[nodiscard]] std::vector<Claim> published_claims();  // PUBLISHED: the talk's numbers, reproduced and refuted
+
+[[nodiscard]] std::vector<Claim> all_claims();
+
+}  // namespace goishi::verify

@@ -1,0 +1,146 @@
+/// goishi-verify: measures and judges the claims, and writes the report.
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <thread>
+
+#include "verify/claims/claims.hpp"
+#include "verify/oracles/quadrature.hpp"
+#include "verify/report/report.hpp"
+#include "verify/run.hpp"
+
+namespace {
+
+using namespace goishi::verify;
+
+constexpr int all_hold = 0;
+constexpr int claim_failed = 1;
+constexpr int bad_usage = 2;
+
+struct Options {
+  bool list = false;
+  bool mutants = false;
+  std::string filter = "*";
+  std::string tier = "quick";
+  std::uint64_t seed = 1;
+  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  std::string report_folder;
+  std::string json_file;
+  std::string junit_file;
+};
+
+void define(CLI::App& app, Options& options) {
+  app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  app.add_flag("--list", options.list, "list the claims, and measure nothing");
+  app.add_flag(
+      "--mutants", options.mutants,
+      "list the wrong changes to the source that each claim must catch: claim, file, from, to, separated by tabs");
+  app.add_option("--filter", options.filter,
+                 "only claims whose id matches: * and ? as in a shell, several separated by commas")
+      ->type_name("GLOB");
+  app.add_option("--tier", options.tier, "quick: under 10 s; full: more samples, under 60 s")
+      ->check(CLI::IsMember({"quick", "full"}))
+      ->capture_default_str();
+  app.add_option("--seed", options.seed, "seed of all random samples")->capture_default_str()->type_name("N");
+  app.add_option("--threads", options.threads, "claims measured at once; the results do not depend on it")
+      ->check(CLI::Range(1U, 256U))
+      ->capture_default_str()
+      ->type_name("N");
+  app.add_option("--report", options.report_folder, "write report.html, report.json and junit.xml into this folder")
+      ->type_name("DIR");
+  app.add_option("--json", options.json_file, "write the report as JSON")->type_name("FILE");
+  app.add_option("--junit", options.junit_file, "write the report as JUnit XML")->type_name("FILE");
+  app.footer(
+      "Exit status: 0 all claims hold, 1 a claim failed, 2 bad usage.\n"
+      "Example: goishi-verify --tier full --filter 'GSL-*,MASS-*' --report build/report");
+}
+
+void list(const std::vector<Claim>& claims) {
+  for (const Claim& claim : claims) {
+    fmt::print("{:13} {}\n", claim.id, claim.statement);
+  }
+}
+
+void list_mutants(const std::vector<Claim>& claims) {
+  for (const Claim& claim : claims) {
+    for (const Mutant& mutant : claim.mutants) {
+      fmt::print("{}\t{}\t{}\t{}\n", claim.id, mutant.file, mutant.from, mutant.to);
+    }
+  }
+}
+
+/// On a terminal the running count stands in one line that the next result overwrites.
+void show_progress(std::size_t finished, std::size_t total) {
+  if (isatty(STDERR_FILENO) != 0) {
+    fmt::print(stderr, "\r\033[K{}",
+               finished < total ? fmt::format("{} of {} claims measured …", finished, total) : "");
+    std::fflush(stderr);
+  }
+}
+
+int verify(const Options& options) {
+  std::vector<Claim> claims = all_claims();
+  std::erase_if(claims, [&](const Claim& claim) { return !matches(claim.id, options.filter); });
+  if (claims.empty()) {
+    fmt::print(stderr, "goishi-verify: error: filter = {}: must match at least one claim (see --list)\n",
+               options.filter);
+    return bad_usage;
+  }
+  if (options.list) {
+    list(claims);
+    return all_hold;
+  }
+  if (options.mutants) {
+    list_mutants(claims);
+    return all_hold;
+  }
+  if (!options.report_folder.empty()) {
+    std::filesystem::create_directories(options.report_folder);
+  }
+  silence_gsl();
+  show_progress(0, claims.size());
+  const Tier tier = options.tier == "full" ? Tier::full : Tier::quick;
+  const Run run = run_claims(claims, make_stamp(options.seed, tier), options.threads,
+                             [&](const Result&, std::size_t finished) { show_progress(finished, claims.size()); });
+  for (const Result& result : run.results) {
+    fmt::print("{}\n", text_line(result));
+  }
+  fmt::print("{}", text_summary(run));
+  if (!options.report_folder.empty()) {
+    const std::filesystem::path folder = options.report_folder;
+    write_file(folder / "report.html", html_report(run));
+    write_file(folder / "report.json", json_report(run));
+    write_file(folder / "junit.xml", junit_report(run));
+  }
+  if (!options.json_file.empty()) {
+    write_file(options.json_file, json_report(run));
+  }
+  if (!options.junit_file.empty()) {
+    write_file(options.junit_file, junit_report(run));
+  }
+  return run.failures() == 0 ? all_hold : claim_failed;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Verifies Goishi: each claim's production function against an oracle that shares no formula with it.",
+               "goishi-verify");
+  Options options;
+  define(app, options);
+  try {
+    app.parse(argc, argv);
+    return verify(options);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+      return app.exit(error);  // --help
+    }
+    fmt::print(stderr, "goishi-verify: error: {}\n", error.what());
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "goishi-verify: error: {}\n", error.what());
+  }
+  return bad_usage;
+}

@@ -1,0 +1,46 @@
+#include <fmt/format.h>
+
+#include "verify/report/escape.hpp"
+#include "verify/report/groups.hpp"
+#include "verify/report/html.hpp"
+#include "verify/report/report.hpp"
+#include "verify/report/svg.hpp"
+
+namespace goishi::verify {
+
+namespace {
+
+/// A white and a black stone in profile.
+constexpr std::string_view emblem =
+    "<svg class=\"emblem\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 50 46\" width=\"50\" "
+    "height=\"46\" role=\"presentation\">"
+    "<path d=\"M3 34q0-1 1-1.6a35 35 0 0 1 42 0q1 .6 1 1.6t-1 1.6a35 35 0 0 1-42 0q-1-.6-1-1.6z\" "
+    "class=\"slate\" stroke=\"currentColor\" stroke-width=\"1.5\"/>"
+    "<path d=\"M3 15q0-1 1-1.6a35 35 0 0 1 42 0q1 .6 1 1.6t-1 1.6a35 35 0 0 1-42 0q-1-.6-1-1.6z\" "
+    "class=\"shell\" stroke=\"currentColor\" stroke-width=\"1.5\"/></svg>";
+
+}  // namespace
+
+std::string html_report(const Run& run) {
+  const bool good = run.failures() == 0 && !run.results.empty();
+  const std::string verdict = xml(verdict_line(run));
+  std::string out =
+      "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\" "
+      "xml:lang=\"en\">\n<head>\n"
+      "<meta charset=\"utf-8\"/>\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n";
+  out += fmt::format("<title>{} – Goishi verification</title>\n<style>\n", verdict);
+  out += page::style();
+  out += fmt::format("@media screen and (prefers-color-scheme: dark) {{ {} }}\n", svg_dark_colours());
+  out += "</style>\n</head>\n<body>\n<header>\n";
+  out += emblem;
+  out += fmt::format(
+      "\n<h1>Goishi <span>shape and mass of Go stones, verified</span></h1>\n"
+      "<p class=\"verdict {}\">{} {}</p>\n",
+      good ? "good" : "bad", page::mark(good), verdict);
+  out += page::failures(run) + page::stamp(run) + "</header>\n<main>\n" + page::how_to_read() + page::overview(run) +
+         page::details(run);
+  return out + "</main>\n</body>\n</html>\n";
+}
+
+}  // namespace goishi::verify

@@ -1,0 +1,34 @@
+#pragma once
+/// \file
+/// Parts of the page. Everything is XHTML that is HTML as well: each element is closed, each text escaped.
+
+#include <string>
+#include <string_view>
+
+#include "verify/run.hpp"
+
+namespace goishi::verify::page {
+
+[[nodiscard]] std::string_view style();
+
+/// ✓ or ✗, with the word for those who hear the page.
+[[nodiscard]] std::string mark(bool holds);
+
+/// Error, bound and slack as the overview and the details show them.
+struct Judged {
+  std::string error;
+  std::string bound;
+  std::string slack;
+};
+[[nodiscard]] Judged judged(const Result& result);
+
+/// A bar on a logarithmic scale from 1 to the greatest slack that is accepted.
+[[nodiscard]] std::string slack_bar(const Result& result);
+
+[[nodiscard]] std::string stamp(const Run& run);
+[[nodiscard]] std::string failures(const Run& run);
+[[nodiscard]] std::string how_to_read();
+[[nodiscard]] std::string overview(const Run& run);
+[[nodiscard]] std::string details(const Run& run);
+
+}  // namespace goishi::verify::page

@@ -1,0 +1,102 @@
+#include <fmt/format.h>
+
+#include "verify/report/escape.hpp"
+#include "verify/report/groups.hpp"
+#include "verify/report/html.hpp"
+#include "verify/report/number.hpp"
+#include "verify/report/svg.hpp"
+
+namespace goishi::verify::page {
+
+namespace {
+
+std::string entry(std::string_view name, const std::string& xhtml) {
+  return fmt::format("<dt>{}</dt><dd>{}</dd>\n", name, xhtml);
+}
+
+/// Terms and what they stand for.
+std::string facts(const Result& result) {
+  const Claim& claim = *result.claim;
+  const Measurement& measurement = result.measurement;
+  const Judged shown = judged(result);
+  std::string out = "<dl class=\"facts\">\n";
+  if (!result.verdict.holds) {
+    out += entry("Why not", fmt::format("<strong class=\"bad\">{}</strong>", xml(result.verdict.why)));
+  }
+  out += entry("Function", fmt::format("<code>{}</code>", xml(claim.function)));
+  out +=
+      entry("Oracle", fmt::format("{} <span class=\"family\">{}</span>", xml(claim.oracle), to_string(claim.family)));
+  out += entry("Error", shown.error);
+  out += entry("Bound", fmt::format("{}<br/><span class=\"reason\">{}</span>", shown.bound, xml(claim.reason)));
+  out += entry("Slack", fmt::format("{} {}", shown.slack, slack_bar(result)));
+  if (claim.resolution > 0) {
+    out += entry("Resolution", fmt::format("{} {}", html_number(claim.resolution), xml(claim.unit)));
+  }
+  out += entry("Cases", fmt::format("{}, in {}", grouped(measurement.cases), duration(result.seconds)));
+  if (!measurement.worst_case.empty() && measurement.error != 0) {
+    out += entry("Worst case", fmt::format("<code>{}</code>", xml(measurement.worst_case)));
+  }
+  return out + "</dl>\n";
+}
+
+std::string figures(const Measurement& measurement) {
+  if (measurement.figures.empty()) {
+    return "";
+  }
+  std::string out = "<table class=\"figures\">\n<caption>Figures</caption>\n<tbody>\n";
+  for (const Figure& figure : measurement.figures) {
+    out += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td></tr>\n", xml(figure.name), xml(figure.value));
+  }
+  return out + "</tbody>\n</table>\n";
+}
+
+std::string plots(const Measurement& measurement) {
+  std::string out;
+  for (const Plot& plot : measurement.plots) {
+    out += "<figure>\n" + svg_plot(plot) + "</figure>\n";
+  }
+  return out.empty() ? "" : "<div class=\"plots\">\n" + out + "</div>\n";
+}
+
+std::string mutants(const Claim& claim) {
+  if (claim.mutants.empty()) {
+    return "";
+  }
+  std::string out =
+      "<table class=\"mutants\">\n<caption>Wrong changes to the source that this claim is known to "
+      "catch</caption>\n<tbody>\n";
+  for (const Mutant& mutant : claim.mutants) {
+    out += fmt::format(
+        "<tr><th scope=\"row\"><code>{}</code></th><td><code><del>{}</del></code> "
+        "<span class=\"arrow\">→</span> {}</td></tr>\n",
+        xml(mutant.file), xml(mutant.from),
+        mutant.to.empty() ? "<i>removed</i>" : fmt::format("<code><ins>{}</ins></code>", xml(mutant.to)));
+  }
+  return out + "</tbody>\n</table>\n";
+}
+
+std::string detail(const Result& result) {
+  const Claim& claim = *result.claim;
+  return fmt::format(
+             "<article class=\"claim\" id=\"{0}\">\n<h3>{1} {2} "
+             "<a class=\"up\" href=\"#overview\">overview</a></h3>\n"
+             "<p class=\"statement\">{3}</p>\n",
+             anchor(claim.id), mark(result.verdict.holds), xml(claim.id), xml(claim.statement)) +
+         facts(result) + figures(result.measurement) + plots(result.measurement) + mutants(claim) + "</article>\n";
+}
+
+}  // namespace
+
+std::string details(const Run& run) {
+  std::string out;
+  for (const Group& group : grouped_results(run)) {
+    out += fmt::format("<section>\n<h2>{}</h2>\n", xml(group.title));
+    for (const Result* result : group.results) {
+      out += detail(*result);
+    }
+    out += "</section>\n";
+  }
+  return out;
+}
+
+}  // namespace goishi::verify::page

@@ -1,0 +1,131 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "verify/report/escape.hpp"
+#include "verify/report/groups.hpp"
+#include "verify/report/html.hpp"
+#include "verify/report/number.hpp"
+
+namespace goishi::verify::page {
+
+std::string mark(bool holds) {
+  return holds ? "<span class=\"mark good\" role=\"img\" aria-label=\"holds\">✓</span>"
+               : "<span class=\"mark bad\" role=\"img\" aria-label=\"does not hold\">✗</span>";
+}
+
+Judged judged(const Result& result) {
+  const double error = result.measurement.error;
+  const double bound = result.claim->bound;
+  const int digits = digits_to_tell(error, bound);
+  const std::string unit =
+      result.claim->unit.empty() ? "" : fmt::format(" <span class=\"unit\">{}</span>", xml(result.claim->unit));
+  const double slack = result.verdict.slack;
+  return {html_number(error, digits), html_number(bound, digits) + unit,
+          std::isnan(slack) ? "–" : html_number(slack, slack_digits(result))};
+}
+
+std::string slack_bar(const Result& result) {
+  constexpr double length = 72;
+  const double slack = result.verdict.slack;
+  const double part = slack > 1 ? std::min(1.0, std::log(slack) / std::log(greatest_slack)) : 0.0;
+  std::string out = fmt::format(
+      "<svg class=\"bar {}\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} 6\" "
+      "width=\"{}\" "
+      "height=\"6\" aria-hidden=\"true\"><rect class=\"track\" width=\"{}\" height=\"6\" "
+      "rx=\"3\"/>",
+      result.verdict.holds ? "good" : "bad", length, length, length);
+  out += fmt::format("<rect class=\"fill\" width=\"{:.1f}\" height=\"6\" rx=\"3\"/>", std::max(3.0, part * length));
+  return out + "</svg>";
+}
+
+std::string stamp(const Run& run) {
+  const Stamp& stamp = run.stamp;
+  std::string out = "<ul class=\"stamp\">\n";
+  const auto entry = [&](std::string_view name, std::string_view value) {
+    out += fmt::format("<li><span>{}</span> {}</li>\n", name, xml(value));
+  };
+  entry("Commit", stamp.commit);
+  entry("Time", stamp.time);
+  entry("Seed", fmt::format("{}", stamp.seed));
+  entry("Tier", to_string(stamp.tier));
+  entry("Took", duration(run.seconds));
+  entry("Machine", stamp.machine);
+  entry("System", stamp.system);
+  entry("Compiler", stamp.compiler);
+  return out + "</ul>\n";
+}
+
+std::string failures(const Run& run) {
+  if (run.failures() == 0) {
+    return "";
+  }
+  std::string out = "<ul class=\"failures\">\n";
+  for (const Result& result : run.results) {
+    if (!result.verdict.holds) {
+      out += fmt::format("<li><a href=\"#{}\">{}</a> {}</li>\n", anchor(result.claim->id), xml(result.claim->id),
+                         xml(result.verdict.why));
+    }
+  }
+  return out + "</ul>\n";
+}
+
+std::string how_to_read() {
+  return fmt::format(
+      "<section class=\"how\">\n<h2>How to read this</h2>\n"
+      "<p>Each claim is a sentence about the library, judged by an oracle: a witness that shares "
+      "no "
+      "formula with the code that it judges. <b>Error</b> is the worst difference that was found. "
+      "<b>Bound</b> is the greatest error with which the claim still holds, and each bound has a "
+      "reason. <b>Slack</b> is bound over error, and an error below the resolution of the quantity "
+      "counts as that resolution: at 1 the error reaches the bound, and over {0} the bound guards "
+      "nothing, so that the claim fails. An error that is not a number fails. The bar shows the "
+      "slack from 1 to {0} on a logarithmic scale. Each id leads to the details.</p>\n</section>\n",
+      plain_number(greatest_slack));
+}
+
+namespace {
+
+std::string row(const Result& result) {
+  const Claim& claim = *result.claim;
+  const Judged shown = judged(result);
+  return fmt::format(
+      "<tr{}>\n<td class=\"verdict-mark\">{}</td>\n"
+      "<th scope=\"row\"><a href=\"#{}\">{}</a></th>\n<td class=\"statement\">{}</td>\n"
+      "<td class=\"number\" data-label=\"error\">{}</td>\n"
+      "<td class=\"number\" data-label=\"bound\">{}</td>\n"
+      "<td class=\"number\" data-label=\"slack\">{} {}</td>\n"
+      "<td class=\"number time\" data-label=\"time\">{}</td>\n</tr>\n",
+      result.verdict.holds ? "" : " class=\"failed\"", mark(result.verdict.holds), anchor(claim.id), xml(claim.id),
+      xml(claim.statement), shown.error, shown.bound, shown.slack, slack_bar(result), duration(result.seconds));
+}
+
+}  // namespace
+
+std::string overview(const Run& run) {
+  if (run.results.empty()) {
+    return "";
+  }
+  std::string out =
+      "<section>\n<h2 id=\"overview\">Overview</h2>\n<table class=\"overview\">\n<thead>\n<tr>"
+      "<th scope=\"col\"><span class=\"heard\">Verdict</span></th><th scope=\"col\">Claim</th>"
+      "<th scope=\"col\">Statement</th><th scope=\"col\" class=\"number\">Error</th>"
+      "<th scope=\"col\" class=\"number\">Bound</th><th scope=\"col\" class=\"number\">Slack</th>"
+      "<th scope=\"col\" class=\"number\">Time</th></tr>\n</thead>\n";
+  for (const Group& group : grouped_results(run)) {
+    const auto holding = std::count_if(group.results.begin(), group.results.end(),
+                                       [](const Result* result) { return result->verdict.holds; });
+    out += fmt::format(
+        "<tbody>\n<tr class=\"group\"><th colspan=\"7\" scope=\"colgroup\">{} "
+        "<span>{} of {} hold</span></th></tr>\n",
+        xml(group.title), holding, group.results.size());
+    for (const Result* result : group.results) {
+      out += row(*result);
+    }
+    out += "</tbody>\n";
+  }
+  return out + "</table>\n</section>\n";
+}
+
+}  // namespace goishi::verify::page

@@ -1,0 +1,156 @@
+#include <rapidjson/prettywriter.h>
+#include <rapidjson/stringbuffer.h>
+
+#include <cmath>
+#include <string_view>
+
+#include "verify/report/escape.hpp"
+#include "verify/report/report.hpp"
+
+namespace goishi::verify {
+
+namespace {
+
+/// Writes members of an object: a key and a value of any kind that the report has.
+class Json {
+ public:
+  Json() : writer_(buffer_) { writer_.SetIndent(' ', 2); }
+
+  void key(std::string_view name) { string(name); }
+  void string(std::string_view text) {
+    const std::string valid = valid_utf8(text);
+    writer_.String(valid.data(), static_cast<rapidjson::SizeType>(valid.size()));
+  }
+  /// JSON has no NaN and no infinity: null.
+  void number(double value) {
+    if (std::isfinite(value)) {
+      writer_.Double(value);
+    } else {
+      writer_.Null();
+    }
+  }
+
+  void member(std::string_view name, std::string_view value) {
+    key(name);
+    string(value);
+  }
+  void member(std::string_view name, double value) {
+    key(name);
+    number(value);
+  }
+  void member(std::string_view name, std::uint64_t value) {
+    key(name);
+    writer_.Uint64(value);
+  }
+  void flag(std::string_view name, bool value) {
+    key(name);
+    writer_.Bool(value);
+  }
+  template <class Members>
+  void object(Members&& members) {
+    writer_.StartObject();
+    members();
+    writer_.EndObject();
+  }
+  template <class List, class Each>
+  void array(std::string_view name, const List& list, Each&& each) {
+    key(name);
+    writer_.StartArray();
+    for (const auto& item : list) {
+      each(item);
+    }
+    writer_.EndArray();
+  }
+
+  [[nodiscard]] std::string text() const { return std::string(buffer_.GetString(), buffer_.GetSize()) + "\n"; }
+
+ private:
+  rapidjson::StringBuffer buffer_;
+  rapidjson::PrettyWriter<rapidjson::StringBuffer> writer_;
+};
+
+void write_plot(Json& json, const Plot& plot) {
+  json.object([&] {
+    json.member("title", plot.title);
+    json.member("x_label", plot.x_label);
+    json.member("y_label", plot.y_label);
+    json.flag("log_x", plot.log_x);
+    json.flag("log_y", plot.log_y);
+    json.array("series", plot.series, [&](const Series& series) {
+      json.object([&] {
+        json.member("name", series.name);
+        const auto column = [&](std::string_view name, auto coordinate) {
+          json.array(name, series.points, [&](const auto& point) { json.number(point.*coordinate); });
+        };
+        column("x", &std::pair<double, double>::first);
+        column("y", &std::pair<double, double>::second);
+      });
+    });
+  });
+}
+
+void write_result(Json& json, const Result& result) {
+  const Claim& claim = *result.claim;
+  const Measurement& measurement = result.measurement;
+  json.object([&] {
+    json.member("id", claim.id);
+    json.member("statement", claim.statement);
+    json.member("function", claim.function);
+    json.member("oracle", claim.oracle);
+    json.member("family", to_string(claim.family));
+    json.flag("holds", result.verdict.holds);
+    json.member("why", result.verdict.why);
+    json.member("unit", claim.unit);
+    json.member("error", measurement.error);
+    json.member("bound", claim.bound);
+    json.member("reason", claim.reason);
+    json.member("resolution", claim.resolution);
+    json.member("slack", result.verdict.slack);
+    json.member("cases", measurement.cases);
+    json.member("worst_case", measurement.worst_case);
+    json.member("seconds", result.seconds);
+    json.array("figures", measurement.figures, [&](const Figure& figure) {
+      json.object([&] {
+        json.member("name", figure.name);
+        json.member("value", figure.value);
+      });
+    });
+    json.array("plots", measurement.plots, [&](const Plot& plot) { write_plot(json, plot); });
+    json.array("mutants", claim.mutants, [&](const Mutant& mutant) {
+      json.object([&] {
+        json.member("file", mutant.file);
+        json.member("from", mutant.from);
+        json.member("to", mutant.to);
+      });
+    });
+  });
+}
+
+}  // namespace
+
+std::string json_report(const Run& run) {
+  Json json;
+  json.object([&] {
+    json.key("stamp");
+    json.object([&] {
+      json.member("machine", run.stamp.machine);
+      json.member("system", run.stamp.system);
+      json.member("compiler", run.stamp.compiler);
+      json.member("commit", run.stamp.commit);
+      json.member("time", run.stamp.time);
+      json.member("seed", run.stamp.seed);
+      json.member("tier", to_string(run.stamp.tier));
+    });
+    json.key("summary");
+    json.object([&] {
+      json.member("claims", std::uint64_t{run.results.size()});
+      json.member("hold", std::uint64_t{run.results.size() - run.failures()});
+      json.member("failed", std::uint64_t{run.failures()});
+      json.member("seconds", run.seconds);
+    });
+    json.array("claims", run.results, [&](const Result& result) { write_result(json, result); });
+  });
+  return json.text();
+}
+
+}  // namespace goishi::verify

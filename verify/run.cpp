@@ -1,0 +1,149 @@
+#include "verify/run.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <sys/utsname.h>
+
+#include <atomic>
+#include <cmath>
+#include <ctime>
+#include <exception>
+#include <fstream>
+#include <mutex>
+#include <thread>
+
+#include "build_info.hpp"
+
+namespace goishi::verify {
+
+namespace {
+
+/// The value of the first line "key : value" of a file such as /proc/cpuinfo or /etc/os-release; empty if there is
+/// none.
+std::string first_value(const char* path, std::string_view key, char separator) {
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with(key)) {
+      const std::size_t at = line.find(separator);
+      if (at == std::string::npos) {
+        continue;
+      }
+      std::string value = line.substr(at + 1);
+      std::erase(value, '"');
+      value.erase(0, value.find_first_not_of(' '));
+      return value;
+    }
+  }
+  return {};
+}
+
+bool fails_when_perturbed(const Claim& claim, const Stamp& stamp, double perturbation) {
+  Context context(Tier::quick, stamp.seed, claim.id, perturbation);
+  return !judge(claim, claim.measure(context)).holds;
+}
+
+/// The smallest power of ten that, added relatively to every production value, makes the claim fail.
+Figure smallest_error_seen(const Claim& claim, const Stamp& stamp) {
+  // Exponents: -low is seen (or nothing is), -high is not.
+  int low = 0;
+  int high = 17;
+  while (high - low > 1) {
+    const int middle = (low + high) / 2;
+    (fails_when_perturbed(claim, stamp, std::pow(10.0, -middle)) ? low : high) = middle;
+  }
+  return {.name = "smallest relative error of the production values that this claim still sees",
+          .value = low == 0 ? "none: it compares no values" : fmt::format("1e-{}", low)};
+}
+
+Result measure(const Claim& claim, const Stamp& stamp) {
+  Result result;
+  result.claim = &claim;
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    Context context(stamp.tier, stamp.seed, claim.id);
+    result.measurement = claim.measure(context);
+    result.verdict = judge(claim, result.measurement);
+    if (stamp.tier == Tier::full && result.verdict.holds) {
+      result.measurement.figures.push_back(smallest_error_seen(claim, stamp));
+    }
+  } catch (const std::exception& error) {
+    result.verdict = {.holds = false, .slack = 0.0, .why = fmt::format("the measurement stopped: {}", error.what())};
+  }
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+}  // namespace
+
+Stamp make_stamp(std::uint64_t seed, Tier tier) {
+  utsname name{};
+  uname(&name);
+  const std::string processor = first_value("/proc/cpuinfo", "model name", ':');
+  const std::string system = first_value("/etc/os-release", "PRETTY_NAME", '=');
+  return {.machine = fmt::format("{}, {} threads, {}", processor.empty() ? "unknown processor" : processor,
+                                 std::thread::hardware_concurrency(), name.machine),
+          .system = fmt::format("{}, {} {}", system.empty() ? "unknown system" : system, name.sysname, name.release),
+          .compiler = fmt::format("{}, {}, {}", build_info::compiler, build_info::build_type, build_info::flags),
+          .commit = std::string(build_info::commit),
+          .time = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))),
+          .seed = seed,
+          .tier = tier};
+}
+
+std::size_t Run::failures() const {
+  std::size_t count = 0;
+  for (const Result& result : results) {
+    count += result.verdict.holds ? 0 : 1;
+  }
+  return count;
+}
+
+Run run_claims(const std::vector<Claim>& claims, const Stamp& stamp, unsigned threads,
+               const std::function<void(const Result&, std::size_t)>& done) {
+  const auto start = std::chrono::steady_clock::now();
+  Run run{.stamp = stamp, .results = std::vector<Result>(claims.size()), .seconds = 0.0};
+  std::atomic<std::size_t> next = 0;
+  std::size_t finished = 0;
+  std::mutex reporting;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < claims.size(); i = next++) {
+      run.results[i] = measure(claims[i], stamp);
+      const std::scoped_lock lock(reporting);
+      done(run.results[i], ++finished);
+    }
+  };
+  {
+    std::vector<std::jthread> workers;
+    for (unsigned i = 1; i < threads; ++i) {
+      workers.emplace_back(work);
+    }
+    work();
+  }
+  run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return run;
+}
+
+bool matches(std::string_view id, std::string_view patterns) {
+  const auto matches_one = [](auto& self, std::string_view text, std::string_view pattern) -> bool {
+    if (pattern.empty()) {
+      return text.empty();
+    }
+    if (pattern.front() == '*') {
+      return self(self, text, pattern.substr(1)) || (!text.empty() && self(self, text.substr(1), pattern));
+    }
+    return !text.empty() && (pattern.front() == '?' || pattern.front() == text.front()) &&
+           self(self, text.substr(1), pattern.substr(1));
+  };
+  while (true) {
+    const std::size_t comma = patterns.find(',');
+    if (matches_one(matches_one, id, patterns.substr(0, comma))) {
+      return true;
+    }
+    if (comma == std::string_view::npos) {
+      return false;
+    }
+    patterns.remove_prefix(comma + 1);
+  }
+}
+
+}  // namespace goishi::verify
