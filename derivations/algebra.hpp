@@ -75,7 +75,8 @@ inline bool is_plainly_positive(const ex& polynomial) {
   }
   const auto positive = [&](const ex& term) { return term.subs(ones).info(GiNaC::info_flags::positive); };
   const ex expanded = polynomial.expand();
-  return GiNaC::is_a<GiNaC::add>(expanded) ? std::all_of(expanded.begin(), expanded.end(), positive) : positive(expanded);
+  return GiNaC::is_a<GiNaC::add>(expanded) ? std::all_of(expanded.begin(), expanded.end(), positive)
+                                           : positive(expanded);
 }
 
 /// The positive square root of a polynomial that is a square of plainly positive ones; else 0.
@@ -152,11 +153,14 @@ inline bool vanishes(const ex& e) {
     return false;  // and the long way need not be gone
   }
   const ex resolved = resolve_roots(e);
-  return resolved.expand().is_zero() || resolved.numer().expand().is_zero();  // cheap where it is enough, or in any case
+  return resolved.expand().is_zero() ||
+         resolved.numer().expand().is_zero();  // cheap where it is enough, or in any case
 }
 
 /// The result with the wrong sign, and a thousandth too large: the alterations that show even where most terms vanish.
-inline std::vector<ex> scaled(const ex& result) { return {-result, result * ex(1001) / 1000}; }
+inline std::vector<ex> scaled(const ex& result) {
+  return {-result, result * ex(1001) / 1000};
+}
 
 /// All results that differ from `result` in one place: the sign of a term, its size by a thousandth, or an exponent by one.
 inline std::vector<ex> alterations(const ex& result) {
@@ -218,7 +222,8 @@ inline const Angle full_turn = {2 * Pi, 1, 0};
 /// ∫ e^{inφ} dφ = e^{inφ}/(in), except for n = 0.
 inline ex arc_integral(const ex& polynomial, const symbol& cosine, const symbol& sine, const Angle& alpha) {
   const symbol e("e");
-  const ex series = polynomial.expand().subs(exmap{{cosine, (e + 1 / e) / 2}, {sine, (e - 1 / e) / (2 * GiNaC::I)}}).expand();
+  const ex series =
+      polynomial.expand().subs(exmap{{cosine, (e + 1 / e) / 2}, {sine, (e - 1 / e) / (2 * GiNaC::I)}}).expand();
   ex sum = series.coeff(e, 0) * alpha.value;
   for (int n = series.ldegree(e); n <= series.degree(e); ++n) {
     if (n != 0) {

@@ -29,7 +29,7 @@ struct Shipped {
     terms = {.cap_height = letter("k", "k", values.cap_height),
              .joint_square = letter("P2", "P_x^2", values.joint_square),
              .half_band = letter("g", "g", values.half_band),
-             .angle = letter("angle", "\\alpha", values.angle),
+             .angle = letter("angle", R"(\alpha)", values.angle),
              .arc = {.c2 = letter("C2", "C_2", values.arc.c2),
                      .c3 = letter("C3", "C_3", values.arc.c3),
                      .c4 = letter("C4", "C_4", values.arc.c4),
@@ -52,11 +52,11 @@ struct Shipped {
 
 void arc_integrals(Document& document) {
   document.section("Integrals over the arc");
-  document.text(
-      "$C_n = \\int_0^\\alpha \\cos^n\\varphi\\,\\mathrm{d}\\varphi$ and $D_n = \\int_0^\\alpha \\sin^2\\varphi \\cos^n\\varphi\\,\\mathrm{d}\\varphi$: "
-      "the derivative by $\\alpha$ is the integrand, and at $\\alpha = 0$ the value is 0. ($c$, $s$: cosine and sine of $\\alpha$.)");
+  document.text(R"($C_n = \int_0^\alpha \cos^n\varphi\,\mathrm{d}\varphi$ and $D_n = \int_0^\alpha \sin^2\varphi
+\cos^n\varphi\,\mathrm{d}\varphi$: the derivative by $\alpha$ is the integrand, and at $\alpha = 0$ the value is 0.
+($c$, $s$: cosine and sine of $\alpha$.))");
   document.shipped("formula::arc_integrals", "mass/volume.hpp");
-  const possymbol alpha("alpha", "\\alpha");
+  const possymbol alpha("alpha", R"(\alpha)");
   const symbol c("c");
   const symbol s("s");
   const auto arc = formula::arc_integrals<ex>(alpha, c, s);
@@ -70,20 +70,23 @@ void arc_integrals(Document& document) {
     ex integrand;
   };
   const std::vector<Row> rows = {
-      {"C_2", arc.c2, pow(c, 2)},     {"C_3", arc.c3, pow(c, 3)},
-      {"C_4", arc.c4, pow(c, 4)},     {"C_5", arc.c5, pow(c, 5)},
-      {"D_1", arc.d1, s * s * c},     {"D_2", arc.d2, s * s * pow(c, 2)},
+      {"C_2", arc.c2, pow(c, 2)},         {"C_3", arc.c3, pow(c, 3)}, {"C_4", arc.c4, pow(c, 4)},
+      {"C_5", arc.c5, pow(c, 5)},         {"D_1", arc.d1, s * s * c}, {"D_2", arc.d2, s * s * pow(c, 2)},
       {"D_3", arc.d3, s * s * pow(c, 3)},
   };
   for (const Row& row : rows) {
     const std::string name = row.name;
     document.equation(name, row.shipped);
-    document.prove({.text = "$\\mathrm{d}" + name + "/\\mathrm{d}\\alpha = " + latex(row.integrand) + "$",
+    document.prove({.text = R"($\mathrm{d})" + name + R"(/\mathrm{d}\alpha = )" + latex(row.integrand) + "$",
                     .result = row.shipped,
                     .witness = row.integrand.subs(half_angle),
                     .meaning = half_angle,
                     .view = slope});
-    document.prove({.text = "$" + name + "(0) = 0$", .result = row.shipped, .witness = 0, .meaning = at_zero, .controls = {row.shipped + 1}});
+    document.prove({.text = "$" + name + "(0) = 0$",
+                    .result = row.shipped,
+                    .witness = 0,
+                    .meaning = at_zero,
+                    .controls = {row.shipped + 1}});
   }
 }
 
@@ -99,10 +102,11 @@ void terms(Document& document, const Torus& torus) {
   const auto prove = [&](const std::string& text, const ex& result, const ex& witness) {
     document.prove({.text = text, .result = result, .witness = witness, .meaning = by_torus});
   };
-  prove("$k$ reaches from the joint to the pole", made.cap_height, torus.sphere_radius - torus.offset - torus.minor * torus.joint.sine);
+  prove("$k$ reaches from the joint to the pole", made.cap_height,
+        torus.sphere_radius - torus.offset - torus.minor * torus.joint.sine);
   prove("$P_x^2$", made.joint_square, pow(torus.joint_radius, 2));
   prove("$g$ reaches from the plane of the rim to the joint", made.half_band, torus.minor * torus.joint.sine);
-  prove("$\\alpha$", made.angle, torus.joint.value);
+  prove(R"($\alpha$)", made.angle, torus.joint.value);
 }
 
 /// The arc of the band, as symbols in cos φ and sin φ.
@@ -112,8 +116,8 @@ struct Arc {
   /// d/dφ.
   ex slope(const ex& f) const { return -sine * f.diff(cosine) + cosine * f.diff(sine); }
 
-  symbol cosine = symbol("c", "\\cos\\varphi");
-  symbol sine = symbol("s", "\\sin\\varphi");
+  symbol cosine = symbol("c", R"(\cos\varphi)");
+  symbol sine = symbol("s", R"(\sin\varphi)");
   ex radius;
   ex height;
 };
@@ -131,52 +135,72 @@ ex over_stone(const ex& f, const Torus& torus) {
 void integrals(Document& document, const Torus& torus, const Shipped& shipped) {
   document.section("Volume and moments");
   document.text(
-      "As for the lens, slices: discs of radius $\\rho$ at height $z$ give $\\pi\\rho^2$, $\\tfrac\\pi2 \\rho^4$ and $\\tfrac\\pi4 \\rho^4 + "
-      "\\pi\\rho^2 z^2$ for $V$, $I_a$ and $I_t$ at density 1. Above, and below, there is a cap,\n\n"
-      "$$\\rho^2 = r^2 - (z + d)^2, \\qquad \\tfrac b2 \\le z \\le \\tfrac h2,$$\n\n"
-      "and between them the band,\n\n"
-      "$$\\rho = r_1 + r_2\\cos\\varphi, \\qquad z = r_2\\sin\\varphi, \\qquad \\mathrm{d}z = r_2\\cos\\varphi\\,\\mathrm{d}\\varphi, \\qquad |\\varphi| "
-      "\\le \\alpha.$$\n\n"
-      "The first integral is of a polynomial, the second of a polynomial in cosine and sine, done by exponentials "
-      "$\\mathrm{e}^{\\mathrm{i}n\\varphi}$. All is stated in $r_1$, $r_2$ and $\\tau$ (the derivation of the bevel has the tangencies), with $\\alpha$ "
-      "and $\\pi$ as further independent symbols.");
+      R"(As for the lens, slices: discs of radius $\rho$ at height $z$ give $\pi\rho^2$, $\tfrac\pi2 \rho^4$ and $\tfrac\pi4
+\rho^4 + \pi\rho^2 z^2$ for $V$, $I_a$ and $I_t$ at density 1. Above, and below, there is a cap,
+
+$$\rho^2 = r^2 - (z + d)^2, \qquad \tfrac b2 \le z \le \tfrac h2,$$
+
+and between them the band,
+
+$$\rho = r_1 + r_2\cos\varphi, \qquad z = r_2\sin\varphi, \qquad \mathrm{d}z = r_2\cos\varphi\,\mathrm{d}\varphi,
+\qquad |\varphi| \le \alpha.$$
+
+The first integral is of a polynomial, the second of a polynomial in cosine and sine, done by exponentials
+$\mathrm{e}^{\mathrm{i}n\varphi}$. All is stated in $r_1$, $r_2$ and $\tau$ (the derivation of the bevel has the
+tangencies), with $\alpha$ and $\pi$ as further independent symbols.)");
   document.shipped("formula::bevelled_volume", "mass/volume.hpp");
   const ex volume = formula::bevelled_volume(shipped.stone, shipped.terms);
   document.equation("V", volume);
-  document.prove({.text = "$V$ is the integral", .result = volume, .witness = over_stone(volume_element, torus), .meaning = shipped.meaning});
+  document.prove({.text = "$V$ is the integral",
+                  .result = volume,
+                  .witness = over_stone(volume_element, torus),
+                  .meaning = shipped.meaning});
   document.shipped("formula::bevelled_moments", "mass/inertia.hpp");
   const auto moments = formula::bevelled_moments(shipped.stone, shipped.terms);
   document.equation("I_a", moments.axial);
-  document.prove({.text = "$I_a$ is the integral", .result = moments.axial, .witness = over_stone(axial_element, torus), .meaning = shipped.meaning});
+  document.prove({.text = "$I_a$ is the integral",
+                  .result = moments.axial,
+                  .witness = over_stone(axial_element, torus),
+                  .meaning = shipped.meaning});
   document.equation("I_t", moments.transverse);
-  document.prove(
-      {.text = "$I_t$ is the integral", .result = moments.transverse, .witness = over_stone(transverse_element, torus), .meaning = shipped.meaning});
+  document.prove({.text = "$I_t$ is the integral",
+                  .result = moments.transverse,
+                  .witness = over_stone(transverse_element, torus),
+                  .meaning = shipped.meaning});
 }
 
 void surface(Document& document, const Torus& torus, const Shipped& shipped) {
   document.section("Surface area");
   document.text(
-      "A cap's area is $\\int 2\\pi\\sqrt{\\rho^2 + (\\rho\\rho')^2}\\,\\mathrm{d}z$ with $\\rho\\rho' = \\frac12 (\\rho^2)'$, the band's $\\int "
-      "2\\pi\\rho\\,\\sqrt{\\rho'^2 + z'^2}\\,\\mathrm{d}\\varphi$. Under both roots stands the square of a constant, $r$ and $r_2$.");
+      R"(A cap's area is $\int 2\pi\sqrt{\rho^2 + (\rho\rho')^2}\,\mathrm{d}z$ with $\rho\rho' = \frac12 (\rho^2)'$, the band's
+$\int 2\pi\rho\,\sqrt{\rho'^2 + z'^2}\,\mathrm{d}\varphi$. Under both roots stands the square of a constant, $r$ and
+$r_2$.)");
   const ex squared_radius = pow(torus.sphere_radius, 2) - pow(z + torus.offset, 2);
   const ex cap_square = squared_radius + pow(squared_radius.diff(z) / 2, 2);
   const ex cap = integral(2 * Pi * positive_root(cap_square), z, torus.bevel / 2, torus.height / 2);
   const Arc arc(torus);
-  const ex arc_square = (pow(arc.slope(arc.radius), 2) + pow(arc.slope(arc.height), 2)).expand().subs(pow(arc.sine, 2) == 1 - pow(arc.cosine, 2));
-  const ex half_band = arc_integral(2 * Pi * arc.radius * positive_root(arc_square.expand()), arc.cosine, arc.sine, torus.joint);
+  const ex arc_square = (pow(arc.slope(arc.radius), 2) + pow(arc.slope(arc.height), 2))
+                            .expand()
+                            .subs(pow(arc.sine, 2) == 1 - pow(arc.cosine, 2));
+  const ex half_band =
+      arc_integral(2 * Pi * arc.radius * positive_root(arc_square.expand()), arc.cosine, arc.sine, torus.joint);
   document.shipped("formula::bevelled_surface_area", "mass/volume.hpp");
   const ex area = formula::bevelled_surface_area(shipped.stone, shipped.terms);
   document.equation("S", area);
-  document.prove({.text = "$S$ is the integral", .result = area, .witness = 2 * (cap + half_band), .meaning = shipped.meaning});
+  document.prove(
+      {.text = "$S$ is the integral", .result = area, .witness = 2 * (cap + half_band), .meaning = shipped.meaning});
 }
 
 void steiner(Document& document, const Torus& torus, const Shipped& shipped) {
   document.section("A second witness: Steiner's formula");
   document.text(
-      "The stone is a convex body, the core lens (width $2r_1$, sphere radius $R = r - r_2$, offset $d$), and all that is within $r_2$ of it. So\n\n"
-      "$$V = V_0 + S_0 r_2 + M_0 r_2^2 + \\tfrac{4\\pi}{3} r_2^3, \\qquad S = S_0 + 2 M_0 r_2 + 4\\pi r_2^2,$$\n\n"
-      "where $M_0 = S_0/R + 2\\pi r_1 \\alpha$ is the core's mean curvature: that of its caps, and its rim of length $2\\pi r_1$, where the normal turns "
-      "by $2\\alpha$. ($V_0$, $S_0$: the sharp lens, proved in its own derivation.)");
+      R"(The stone is a convex body, the core lens (width $2r_1$, sphere radius $R = r - r_2$, offset $d$), and all that is
+within $r_2$ of it. So
+
+$$V = V_0 + S_0 r_2 + M_0 r_2^2 + \tfrac{4\pi}{3} r_2^3, \qquad S = S_0 + 2 M_0 r_2 + 4\pi r_2^2,$$
+
+where $M_0 = S_0/R + 2\pi r_1 \alpha$ is the core's mean curvature: that of its caps, and its rim of length $2\pi
+r_1$, where the normal turns by $2\alpha$. ($V_0$, $S_0$: the sharp lens, proved in its own derivation.))");
   const ex width = 2 * torus.major;
   const ex height = 2 * (torus.core_radius - torus.offset);
   const ex volume = formula::lens_volume<ex>(width, height);
@@ -223,10 +247,10 @@ void limits(Document& document, const Torus& torus) {
   const auto ball_moments = formula::bevelled_moments(ball, ball_terms);
   document.prove_limit("$r_1 = 0$", ball.bevel_major_radius, 0);
   document.prove_limit("$r_2 = h/2$", ball.bevel_minor_radius, diameter / 2);
-  document.prove_limit("$V = \\frac\\pi6 h^3$", formula::bevelled_volume(ball, ball_terms), Pi * pow(diameter, 3) / 6);
-  document.prove_limit("$S = \\pi h^2$", formula::bevelled_surface_area(ball, ball_terms), Pi * pow(diameter, 2));
-  document.prove_limit("$I_a = \\frac\\pi{60} h^5$", ball_moments.axial, Pi * pow(diameter, 5) / 60);
-  document.prove_limit("$I_t = \\frac\\pi{60} h^5$", ball_moments.transverse, Pi * pow(diameter, 5) / 60);
+  document.prove_limit(R"($V = \frac\pi6 h^3$)", formula::bevelled_volume(ball, ball_terms), Pi * pow(diameter, 3) / 6);
+  document.prove_limit(R"($S = \pi h^2$)", formula::bevelled_surface_area(ball, ball_terms), Pi * pow(diameter, 2));
+  document.prove_limit(R"($I_a = \frac\pi{60} h^5$)", ball_moments.axial, Pi * pow(diameter, 5) / 60);
+  document.prove_limit(R"($I_t = \frac\pi{60} h^5$)", ball_moments.transverse, Pi * pow(diameter, 5) / 60);
 }
 
 }  // namespace

@@ -154,7 +154,8 @@ inline std::string product_latex(const GiNaC::ex& product) {
     }
   }
   if (negative && !mixed.empty()) {
-    Factor& first = **std::min_element(mixed.begin(), mixed.end(), [](const Factor* left, const Factor* right) { return left->text < right->text; });
+    Factor& first = **std::min_element(
+        mixed.begin(), mixed.end(), [](const Factor* left, const Factor* right) { return left->text < right->text; });
     const std::string same = latex(first.base);
     first.text = first.text == same ? first.negative() : same;
     negative = false;

@@ -2,15 +2,15 @@
 /// \file
 /// The pattern of every derivation: a document in Markdown with LaTeX that proves each of its statements while it is printed.
 
-#include "algebra.hpp"
 #include <algorithm>
 #include <cstddef>
 #include <exception>
 #include <functional>
 #include <iostream>
-#include "latex.hpp"
 #include <string>
 #include <vector>
+#include "algebra.hpp"
+#include "latex.hpp"
 
 namespace derivation {
 
@@ -91,7 +91,8 @@ class Document {
   /// Prints the summary. 0 if every proof held and every control failed, else 1.
   [[nodiscard]] int verdict() const {
     const bool good = failed_ == 0 && 0 < statements_;
-    std::cout << "\n---\n\n" << statements_ << " statements, " << (good ? "all proved.\n" : std::to_string(failed_) + " FAILED.\n");
+    std::cout << "\n---\n\n"
+              << statements_ << " statements, " << (good ? "all proved.\n" : std::to_string(failed_) + " FAILED.\n");
     return good ? 0 : 1;
   }
 

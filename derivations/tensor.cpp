@@ -25,7 +25,9 @@ Vector letters(const std::string& name) {
 }
 
 Matrix symmetric_letters(const std::string& name) {
-  const auto letter = [&](const std::string& indices) { return realsymbol(name + indices, name + "_{" + indices + "}"); };
+  const auto letter = [&](const std::string& indices) {
+    return realsymbol(name + indices, name + "_{" + indices + "}");
+  };
   const ex xy = letter("12");
   const ex xz = letter("13");
   const ex yz = letter("23");
@@ -71,7 +73,9 @@ struct Body {
     return sum;
   }
 
-  Matrix operator()(const Matrix& integrand) const { return integrand.unaryExpr([this](const ex& entry) { return (*this)(entry); }); }
+  Matrix operator()(const Matrix& integrand) const {
+    return integrand.unaryExpr([this](const ex& entry) { return (*this)(entry); });
+  }
 };
 
 /// Every rotation: a unit quaternion (1 − |u|², 2u) / (1 + |u|²), u any vector.
@@ -95,20 +99,25 @@ struct Rotation {
 void body_of_revolution(Document& document) {
   document.section("A body of revolution");
   document.text(
-      "The tensor about the origin is $I_{ij} = \\int (|x|^2 \\delta_{ij} - x_i x_j)\\,\\mathrm{d}m$. A slice of a body of revolution is a disc of "
-      "radius $\\rho$ at height $z$. Over it all products of inertia vanish and the axes across are alike:");
-  document.equation("\\iint xy\\,\\mathrm{d}x\\,\\mathrm{d}y", over_disc(x * y));
-  document.equation("\\iint xz\\,\\mathrm{d}x\\,\\mathrm{d}y", over_disc(x * z));
-  document.equation("\\iint (x^2 - y^2)\\,\\mathrm{d}x\\,\\mathrm{d}y", over_disc(x * x - y * y));
-  document.text("The statement holds slice by slice, so for the body. (Here and below a matrix $M$ is compared in all entries at once, as "
-                "$a^\\mathsf{T} M b$ with independent $a$, $b$.)");
+      R"(The tensor about the origin is $I_{ij} = \int (|x|^2 \delta_{ij} - x_i x_j)\,\mathrm{d}m$. A slice of a body of
+revolution is a disc of radius $\rho$ at height $z$. Over it all products of inertia vanish and the axes across are
+alike:)");
+  document.equation(R"(\iint xy\,\mathrm{d}x\,\mathrm{d}y)", over_disc(x * y));
+  document.equation(R"(\iint xz\,\mathrm{d}x\,\mathrm{d}y)", over_disc(x * z));
+  document.equation(R"(\iint (x^2 - y^2)\,\mathrm{d}x\,\mathrm{d}y)", over_disc(x * x - y * y));
+  document.text(
+      R"(The statement holds slice by slice, so for the body. (Here and below a matrix $M$ is compared in all entries at once,
+as $a^\mathsf{T} M b$ with independent $a$, $b$.))");
   document.shipped("formula::principal_tensor", "mass/tensor.hpp");
   const realsymbol axial("Ia", "I_a");
   const realsymbol transverse("It", "I_t");
   const ex shipped = entries(formula::principal_tensor<ex>({.axial = axial, .transverse = transverse}));
-  document.equation("a^\\mathsf{T} I b", shipped);
+  document.equation(R"(a^\mathsf{T} I b)", shipped);
   const Matrix slice = definition(point).unaryExpr([](const ex& entry) { return over_disc(entry); });
-  document.prove({.text = "$I = \\operatorname{diag}(I_t, I_t, I_a)$", .result = shipped, .witness = entries(slice), .meaning = {{axial, over_disc(axial_element)}, {transverse, over_disc(transverse_element)}}});
+  document.prove({.text = R"($I = \operatorname{diag}(I_t, I_t, I_a)$)",
+                  .result = shipped,
+                  .witness = entries(slice),
+                  .meaning = {{axial, over_disc(axial_element)}, {transverse, over_disc(transverse_element)}}});
 }
 
 /// Letters for a tensor, and the tensor of the body that they stand for.
@@ -131,27 +140,29 @@ Matrix rotation_matrix(const Rotation& rotation) {
 void rotations(Document& document, const Rotation& rotation) {
   document.section("Rotations");
   document.text(
-      "$q_{WB}$ takes a vector from frame B to frame W: $v_W = q v_B \\bar q$. All rotations are reached by $q = (1 - |u|^2,\\, 2u) / (1 + |u|^2)$, a "
-      "unit quaternion for every $u \\in \\mathbb{R}^3$ (only $q = -1$ is missing, and it turns as $q = 1$ does).");
+      R"($q_{WB}$ takes a vector from frame B to frame W: $v_W = q v_B \bar q$. All rotations are reached by $q = (1 - |u|^2,\,
+2u) / (1 + |u|^2)$, a unit quaternion for every $u \in \mathbb{R}^3$ (only $q = -1$ is missing, and it turns as $q =
+1$ does).)");
   document.text(
-      "*Shipped:* `goishi::rotation_matrix` in `src/goishi/rotation.hpp` checks $|q| = 1$ and returns Eigen's `toRotationMatrix()`, which stands here "
-      "for it.");
+      R"(*Shipped:* `goishi::rotation_matrix` in `src/goishi/rotation.hpp` checks $|q| = 1$ and returns Eigen's
+`toRotationMatrix()`, which stands here for it.)");
   const Matrix R = rotation_matrix(rotation);
   const auto prove = [&](const std::string& text, const ex& result, const ex& witness) {
     document.prove({.text = text, .result = result, .witness = witness, .controls = scaled(result)});
   };
   const Vector v = letters("v");
   const Vector a = letters("a");
-  prove("$R v = q v \\bar q$", a.dot(Vector(R * v)), a.dot(rotation(v)));
-  prove("$R R^\\mathsf{T} = 1$", entries(R * R.transpose()), entries(Matrix::Identity()));
-  prove("$\\det R = 1$", R.determinant(), 1);
+  prove(R"($R v = q v \bar q$)", a.dot(Vector(R * v)), a.dot(rotation(v)));
+  prove(R"($R R^\mathsf{T} = 1$)", entries(R * R.transpose()), entries(Matrix::Identity()));
+  prove(R"($\det R = 1$)", R.determinant(), 1);
 }
 
 void other_axes(Document& document, const Rotation& rotation) {
   document.section("Other axes");
   document.text(
-      "Of a body, the tensor knows the second moments $E_{ij} = \\int x_i x_j\\,\\mathrm{d}m$, six independent symbols. In W the point $x$ of the body "
-      "is at $q x \\bar q$; put into the definition, and integrated term by term, that is the tensor in W.");
+      R"(Of a body, the tensor knows the second moments $E_{ij} = \int x_i x_j\,\mathrm{d}m$, six independent symbols. In W the
+point $x$ of the body is at $q x \bar q$; put into the definition, and integrated term by term, that is the tensor in
+W.)");
   document.shipped("formula::rotated_tensor", "mass/tensor.hpp");
   const Body body = {.mass = realsymbol("m"), .second_moments = symmetric_letters("E")};
   TensorOf tensor(body);
@@ -159,22 +170,27 @@ void other_axes(Document& document, const Rotation& rotation) {
   const Matrix R = rotation_matrix(rotation);
   Matrix R_letters;
   for (int i = 0; i < 9; ++i) {
-    R_letters(i) = realsymbol("R" + std::to_string(i), "R_{" + std::to_string(i % 3 + 1) + std::to_string(i / 3 + 1) + "}");
+    R_letters(i) =
+        realsymbol("R" + std::to_string(i), "R_{" + std::to_string(i % 3 + 1) + std::to_string(i / 3 + 1) + "}");
     meaning[R_letters(i)] = R(i);
   }
   const Matrix rotated = formula::rotated_tensor<ex>(tensor.letters, R_letters);
   document.equation("I_{W,12}", rotated(0, 1).expand());
-  document.prove({.text = "$I_W = R I_B R^\\mathsf{T}$ is $\\int (|x_W|^2 1 - x_W x_W^\\mathsf{T})\\,\\mathrm{d}m$",
+  document.prove({.text = R"($I_W = R I_B R^\mathsf{T}$ is $\int (|x_W|^2 1 - x_W x_W^\mathsf{T})\,\mathrm{d}m$)",
                   .result = entries(rotated),
                   .witness = entries(body(definition(rotation(point)))),
                   .meaning = meaning});
-  document.prove({.text = "the trace stays", .result = rotated.trace(), .witness = tensor.letters.trace().subs(meaning), .meaning = meaning});
+  document.prove({.text = "the trace stays",
+                  .result = rotated.trace(),
+                  .witness = tensor.letters.trace().subs(meaning),
+                  .meaning = meaning});
 }
 
 void another_point(Document& document) {
   document.section("About another point");
   document.text(
-      "About a point P the body's points are $c + x$, where $c = C - P$ and $\\int x\\,\\mathrm{d}m = 0$ because C is the centre of mass.");
+      R"(About a point P the body's points are $c + x$, where $c = C - P$ and $\int x\,\mathrm{d}m = 0$ because C is the centre
+of mass.)");
   document.shipped("formula::shifted_tensor", "mass/tensor.hpp");
   const Body body = {.mass = realsymbol("m"), .second_moments = symmetric_letters("E")};
   const TensorOf tensor(body);
@@ -182,12 +198,14 @@ void another_point(Document& document) {
   const Matrix shifted = formula::shifted_tensor<ex>(tensor.letters, body.mass, c);
   document.equation("I_{P,11}", shifted(0, 0));
   document.equation("I_{P,12}", shifted(0, 1));
-  document.prove({.text = "$I_P = I_C + m(|c|^2 1 - c c^\\mathsf{T})$ is $\\int (|c + x|^2 1 - (c + x)(c + x)^\\mathsf{T})\\,\\mathrm{d}m$",
-                  .result = entries(shifted),
-                  .witness = entries(body(definition(Vector(c + point)))),
-                  .meaning = tensor.meaning});
+  document.prove(
+      {.text =
+           R"($I_P = I_C + m(|c|^2 1 - c c^\mathsf{T})$ is $\int (|c + x|^2 1 - (c + x)(c + x)^\mathsf{T})\,\mathrm{d}m$)",
+       .result = entries(shifted),
+       .witness = entries(body(definition(Vector(c + point)))),
+       .meaning = tensor.meaning});
   const Vector n = letters("n");
-  document.prove({.text = "about an axis along $n$, that adds $m |c \\times n|^2$ (parallel axes)",
+  document.prove({.text = R"(about an axis along $n$, that adds $m |c \times n|^2$ (parallel axes))",
                   .result = n.dot(Vector(shifted * n)),
                   .witness = n.dot(Vector(tensor.letters * n)) + body.mass * c.cross(n).squaredNorm()});
 }
@@ -195,8 +213,9 @@ void another_point(Document& document) {
 void general_form(Document& document, const Rotation& rotation) {
   document.section("The talk's general form");
   document.text(
-      "A stone at $p$ with attitude $q$, about the origin of W: the point $x$ of the stone is at $p + q x \\bar q$, and the stone's second moments are "
-      "$\\operatorname{diag}(A, A, C)$. `goishi::inertia_tensor` composes the three functions in this order.");
+      R"(A stone at $p$ with attitude $q$, about the origin of W: the point $x$ of the stone is at $p + q x \bar q$, and the
+stone's second moments are $\operatorname{diag}(A, A, C)$. `goishi::inertia_tensor` composes the three functions in
+this order.)");
   const realsymbol across("A");
   const realsymbol along("C");
   const realsymbol axial("Ia", "I_a");
@@ -206,12 +225,13 @@ void general_form(Document& document, const Rotation& rotation) {
   const Body stone = {.mass = realsymbol("m"), .second_moments = second_moments};
   const Vector p = letters("p");
   const auto general = [&](const Matrix& R) {
-    const Matrix about_centre = formula::rotated_tensor<ex>(formula::principal_tensor<ex>({.axial = axial, .transverse = transverse}), R);
+    const Matrix about_centre =
+        formula::rotated_tensor<ex>(formula::principal_tensor<ex>({.axial = axial, .transverse = transverse}), R);
     return entries(formula::shifted_tensor<ex>(about_centre, stone.mass, p));
   };
   const exmap meaning = {{axial, stone(axial_element)}, {transverse, stone(transverse_element)}};
   const Matrix R = rotation_matrix(rotation);
-  document.prove({.text = "$I_W = R \\operatorname{diag}(I_t, I_t, I_a) R^\\mathsf{T} + m(|p|^2 1 - p p^\\mathsf{T})$",
+  document.prove({.text = R"($I_W = R \operatorname{diag}(I_t, I_t, I_a) R^\mathsf{T} + m(|p|^2 1 - p p^\mathsf{T})$)",
                   .result = general(R),
                   .witness = entries(stone(definition(Vector(p + rotation(point))))),
                   .meaning = meaning,

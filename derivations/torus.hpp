@@ -14,7 +14,7 @@ struct Torus {
   possymbol minor = possymbol("r2", "r_2");
   possymbol tau = possymbol("tau", "\\tau");
   ex norm = 1 + pow(1 + tau, 2);
-  Angle joint = {possymbol("alpha", "\\alpha"), tau * (tau + 2) / norm, 2 * (tau + 1) / norm};
+  Angle joint = {possymbol("alpha", "\\alpha"), tau*(tau + 2) / norm, 2 * (tau + 1) / norm};
   ex joint_radius = major + minor * joint.cosine;
   ex offset = major * joint.sine / joint.cosine;        // d: the joint's normal meets the axis at (0, −d)
   ex sphere_radius = minor + major / joint.cosine;      // r: from there to the joint

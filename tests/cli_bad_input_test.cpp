@@ -270,6 +270,10 @@ TEST_F(CliOutput, KeepsPermissionsAndFollowsLinks) {
 
 TEST_F(CliOutput, StandardOutputByName) {
   EXPECT_EQ(printed({"table", "--output", "/dev/stdout"}), printed({"table"}));
+  const std::string log = (work() / "log").string();
+  put(log, "first\n");
+  EXPECT_EQ(run({"table", "--output", "/dev/stdout"}, "", ">>'" + log + "'").status, 0);
+  EXPECT_EQ(contents(log), "first\n" + printed({"table"}));
 }
 
 }  // namespace

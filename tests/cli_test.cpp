@@ -198,6 +198,7 @@ TEST_F(CliInertia, TextNamesUnitsAndWhatIsAssumed) {
   const std::string text = printed({"inertia", "--size", "33", "--bevel", "1mm"});
   EXPECT_NE(text.find("The white stone of size 33\n"), std::string::npos) << text;
   EXPECT_TRUE(std::regex_search(text, std::regex("\nvolume +V +1.84302e-06 +m³ +1.84302 +cm³\n")));
+  EXPECT_TRUE(std::regex_search(text, std::regex("\naxial moment per mass +I_a/m +4.12568e-05 +m² +0.412568 +cm²\n")));
   EXPECT_TRUE(std::regex_search(text, std::regex("\ndensity +ρ +2800 +kg/m³ +2.8 +g/cm³ +\\(assumed\\)\n")));
   const std::string given = printed({"inertia", "--size", "33", "--density", "2700"});
   EXPECT_EQ(given.find("assumed"), std::string::npos);

@@ -8,15 +8,14 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <deque>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>
 #include <sstream>
 
+#include "tests/report_sample.hpp"
 #include "verify/report/escape.hpp"
 #include "verify/report/svg.hpp"
 
@@ -26,85 +25,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
-const std::string nasty = "<&>\"' ]]> \x01\x1b[31m λ碁\xff\xc0\x80 end";
-
-/// A run of made-up claims, judged as a real one.
-struct Sample {
-  std::deque<Claim> claims;
-  Run run;
-
-  Sample() {
-    run.stamp = {"a processor, 2 threads",
-                 "a system",
-                 "a compiler, Release, -O3",
-                 "0123456789abcdef-dirty",
-                 "2025-05-04T10:11:12Z",
-                 18446744073709551615ULL,
-                 Tier::full};
-    run.seconds = 12.345;
-  }
-  Sample(const Sample&) = delete;
-  Sample& operator=(const Sample&) = delete;
-
-  Result& add(const std::string& id, double error, double bound, OracleFamily family = OracleFamily::independent) {
-    claims.push_back({id,
-                      "The volume is right.",
-                      "volume",
-                      family,
-                      "an oracle",
-                      "ulp",
-                      bound,
-                      "derived from six roundings",
-                      1.0,
-                      {{"mass/volume.hpp", "a + b", "a - b"}},
-                      {}});
-    Result result;
-    result.claim = &claims.back();
-    result.measurement.error = error;
-    result.measurement.cases = 12345;
-    result.measurement.worst_case = "w = 0x1.8p-6";
-    result.verdict = judge(claims.back(), result.measurement);
-    result.seconds = 0.25;
-    run.results.push_back(result);
-    return run.results.back();
-  }
-};
-
-void fill(Sample& sample) {
-  sample.add("SHAPE-1", 1.25, 4);
-  Result& curves = sample.add("MASS-1", 2.5, 4);
-  curves.measurement.figures = {{"volume", "1.8505405 cm³"}};
-  curves.measurement.plots = {
-      {"Error",
-       "h/w",
-       "error [ulp]",
-       true,
-       false,
-       false,
-       {{"sharp", {{1e-9, 1}, {1e-3, 2.5}, {1, 0.5}, {0, 1}}, true}, {nasty, {{1e-8, nan}, {1, 2}}, false}}}};
-  sample.add("MASS-2", 4.0004, 4);
-  sample.add("LAW-1", nan, 4);
-  sample.add("LAW-2", infinity, 4);
-  sample.add("LAW-3", 0, 400);
-  sample.claims.push_back({nasty,
-                           nasty,
-                           nasty,
-                           OracleFamily::exact,
-                           nasty,
-                           nasty,
-                           4,
-                           nasty,
-                           1,
-                           {{nasty, nasty, nasty}, {"x", "y", ""}},
-                           {}});
-  Result hostile = sample.run.results.front();
-  hostile.claim = &sample.claims.back();
-  hostile.measurement.worst_case = nasty;
-  hostile.measurement.figures = {{nasty, nasty}};
-  hostile.verdict = {false, 1, nasty};
-  sample.run.results.push_back(hostile);
-}
 
 std::size_t count(std::string_view text, std::string_view part) {
   std::size_t found = 0;

@@ -51,10 +51,10 @@ Verdict judge(const Claim& claim, const Measurement& measurement) {
   }
   // Each condition is the one that must hold, negated: a NaN fails.
   if (!(measurement.error <= claim.bound)) {
-    return {
-        .holds = false,
-        .slack = claim.bound / measurement.error,
-        .why = fmt::format("the error {:.4g} {} exceeds the bound {:.4g}", measurement.error, claim.unit, claim.bound)};
+    return {.holds = false,
+            .slack = claim.bound / measurement.error,
+            .why = fmt::format("the error {:.9g} {} is not within the bound {:.9g}", measurement.error, claim.unit,
+                               claim.bound)};
   }
   if (claim.bound == 0.0) {
     return {.holds = true, .slack = 1.0, .why = {}};

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <goishi/error.hpp>
 #include <thread>
 
 #include "verify/claims/claims.hpp"
@@ -81,6 +82,24 @@ void show_progress(std::size_t finished, std::size_t total) {
   }
 }
 
+/// Bad usage is better said before the claims are measured than after.
+void require_folders(const Options& options) {
+  const auto require_folder_of = [](const char* argument, const std::filesystem::path& file) {
+    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+    goishi::require(std::filesystem::is_directory(folder), argument, file.string(), "must be in a folder that exists");
+  };
+  if (!options.json_file.empty()) {
+    require_folder_of("json", options.json_file);
+  }
+  if (!options.junit_file.empty()) {
+    require_folder_of("junit", options.junit_file);
+  }
+  if (!options.report_folder.empty() && !std::filesystem::is_directory(options.report_folder)) {
+    require_folder_of("report", options.report_folder);
+    std::filesystem::create_directory(options.report_folder);
+  }
+}
+
 int verify(const Options& options) {
   std::vector<Claim> claims = all_claims();
   std::erase_if(claims, [&](const Claim& claim) { return !matches(claim.id, options.filter); });
@@ -97,9 +116,7 @@ int verify(const Options& options) {
     list_mutants(claims);
     return all_hold;
   }
-  if (!options.report_folder.empty()) {
-    std::filesystem::create_directories(options.report_folder);
-  }
+  require_folders(options);
   silence_gsl();
   show_progress(0, claims.size());
   const Tier tier = options.tier == "full" ? Tier::full : Tier::quick;

@@ -10,8 +10,7 @@ namespace {
 
 /// Characters, not bytes: "m³" has two.
 std::size_t length(std::string_view text) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(text, [](char c) { return (c & '\xC0') != '\x80'; }));
+  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & '\xC0') != '\x80'; }));
 }
 
 bool is_number(std::string_view text) {

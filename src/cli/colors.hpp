@@ -9,8 +9,7 @@
 namespace goishi::cli {
 
 /// InvalidArgument when the text is no colour; `rule` says which texts are.
-[[nodiscard]] inline StoneColor parse_color(const std::string& text,
-                                            const char* rule = "must be white or black") {
+[[nodiscard]] inline StoneColor parse_color(const std::string& text, const char* rule = "must be white or black") {
   for (const StoneColor color : {StoneColor::white, StoneColor::black}) {
     if (text == to_string(color)) {
       return color;

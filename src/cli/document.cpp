@@ -11,8 +11,8 @@ void Document::append_row(std::string name, std::string_view text) {
 }
 
 std::string Document::row_at(std::size_t offset) const {
-  const auto row = std::ranges::find_if(
-      rows_, [offset](const Span& span) { return span.begin <= offset && offset < span.end; });
+  const auto row =
+      std::ranges::find_if(rows_, [offset](const Span& span) { return span.begin <= offset && offset < span.end; });
   return row == rows_.end() ? std::string() : row->name;
 }
 

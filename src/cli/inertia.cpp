@@ -28,11 +28,10 @@ struct Subject {
   int assumed_density;
 };
 
-void refuse_together(const char* argument, const std::optional<std::string>& value,
-                     const char* other, const std::optional<std::string>& other_value) {
+void refuse_together(const char* argument, const std::optional<std::string>& value, const char* other,
+                     const std::optional<std::string>& other_value) {
   if (value && other_value) {
-    throw InvalidArgument(argument, *value,
-                          fmt::format("must not be given with --{} ({})", other, *other_value));
+    throw InvalidArgument(argument, *value, fmt::format("must not be given with --{} ({})", other, *other_value));
   }
 }
 
@@ -102,13 +101,11 @@ Stone<Number> stone_of(const Subject& subject) {
   }
 }
 
-MassProperties<Number> properties_of(const Stone<Number>& stone, const InertiaOptions& options,
-                                     int assumed_density) {
+MassProperties<Number> properties_of(const Stone<Number>& stone, const InertiaOptions& options, int assumed_density) {
   if (options.mass) {
     return mass_properties(stone, Mass{parse_mass("mass", *options.mass)});
   }
-  const Number density =
-      options.density ? parse_density("density", *options.density) : Number(assumed_density);
+  const Number density = options.density ? parse_density("density", *options.density) : Number(assumed_density);
   return mass_properties(stone, Density{density});
 }
 
@@ -129,9 +126,8 @@ const char* explanation(const Subject& subject) {
   if (subject.bevel == 0) {
     return "Sharp: no bevel.";
   }
-  return subject.measured
-             ? "Measured: the finished stone has the width given; `width` is its lens's."
-             : "As published: the width given is the lens's, and the bevel shrinks the stone.";
+  return subject.measured ? "Measured: the finished stone has the width given; `width` is its lens's."
+                          : "As published: the width given is the lens's, and the bevel shrinks the stone.";
 }
 
 std::string to_block(const Subject& subject, const Values& values, bool assumed) {
@@ -141,15 +137,13 @@ std::string to_block(const Subject& subject, const Values& values, bool assumed)
     const Unit si = unit_of(quantity.dimension, UnitSystem::si);
     const Unit handy = unit_of(quantity.dimension, UnitSystem::handy);
     const bool note = assumed && quantity.dimension == Dimension::density;
-    lines.push_back({std::string(quantity.name), std::string(quantity.symbol),
-                     six_digits(values[i]), std::string(si.name),
-                     six_digits(in_unit(values[i], handy)), std::string(handy.name),
+    lines.push_back({std::string(quantity.name), std::string(quantity.symbol), six_digits(values[i]),
+                     std::string(si.name), six_digits(in_unit(values[i], handy)), std::string(handy.name),
                      note ? "(assumed)" : ""});
   }
-  align(lines, {Align::left, Align::left, Align::number, Align::left, Align::number, Align::left,
-                Align::left});
-  std::string text = fmt::format("{}\n{}\nMoments are about the centre of mass.\n\n", subject.title,
-                                 explanation(subject));
+  align(lines, {Align::left, Align::left, Align::number, Align::left, Align::number, Align::left, Align::left});
+  std::string text =
+      fmt::format("{}\n{}\nMoments are about the centre of mass.\n\n", subject.title, explanation(subject));
   for (const Line& line : lines) {
     text += as_row(line);
   }
@@ -164,8 +158,7 @@ void run_inertia(const InertiaOptions& options) {
   const Stone<Number> stone = stone_of(subject);
   const Values values = values_of(stone, properties_of(stone, options, subject.assumed_density));
   const bool assumed = !options.mass && !options.density;
-  write_standard_output(options.format == "json" ? to_json(values)
-                                                 : to_block(subject, values, assumed));
+  write_standard_output(options.format == "json" ? to_json(values) : to_block(subject, values, assumed));
 }
 
 }  // namespace goishi::cli

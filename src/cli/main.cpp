@@ -65,14 +65,13 @@ std::string units_note() {
 }
 
 std::string assumed_densities() {
-  return fmt::format("[default, assumed: {} white, {} black, in kg/m³]",
-                     catalogue::assumed_white_density, catalogue::assumed_black_density);
+  return fmt::format("[default, assumed: {} white, {} black, in kg/m³]", catalogue::assumed_white_density,
+                     catalogue::assumed_black_density);
 }
 
 /// An option with a value, which is read as text.
 template <class Text>
-void add_value(CLI::App& command, Text& target, const char* name, const char* type,
-               const std::string& help) {
+void add_value(CLI::App& command, Text& target, const char* name, const char* type, const std::string& help) {
   command.add_option(name, target, help)->type_name(type);
 }
 
@@ -81,18 +80,15 @@ void add_table(CLI::App& app, TableOptions& options) {
   add_value(table, options.color, "--color", "COLOR", "white, black or both [default: both]");
   add_value(table, options.bevel, "--bevel", "LENGTH",
             "Height of every stone's bevel [default: a row with 0 and a row with 1mm]");
-  add_value(table, options.density, "--density", "DENSITY",
-            "Density of every stone\n" + assumed_densities());
+  add_value(table, options.density, "--density", "DENSITY", "Density of every stone\n" + assumed_densities());
   add_value(table, options.units, "--units", "UNITS",
             "Units of the printed table: si (m, kg) or cgs (cm, g) [default: si]");
   add_value(table, options.format, "--format", "FORMAT",
             "text or markdown: 6 significant digits; csv or json: 17;\n"
             "cpp: the library's header inertia_table.hpp, SI units only\n"
             "[default: what the extension of FILE says, else text]");
-  add_value(table, options.output, "--output", "FILE",
-            "Write to FILE, all or nothing [default: standard output]");
-  add_value(table, options.check, "--check", "FILE",
-            "Compare FILE with the table, name the first row that differs");
+  add_value(table, options.output, "--output", "FILE", "Write to FILE, all or nothing [default: standard output]");
+  add_value(table, options.check, "--check", "FILE", "Compare FILE with the table, name the first row that differs");
   table.footer(units_note() + table_examples);
 }
 
@@ -100,12 +96,10 @@ void add_inertia(CLI::App& app, InertiaOptions& options) {
   CLI::App& inertia = *app.add_subcommand("inertia", about_inertia);
   add_value(inertia, options.size, "--size", "N",
             "Number of a catalogue stone, such as 33 (or give --width and --height)");
-  add_value(inertia, options.color, "--color", "COLOR",
-            "white or black, with --size [default: white]");
+  add_value(inertia, options.color, "--color", "COLOR", "white or black, with --size [default: white]");
   add_value(inertia, options.width, "--width", "LENGTH", "Diameter of the lens (see --measured)");
   add_value(inertia, options.height, "--height", "LENGTH", "Thickness, at most the width");
-  add_value(inertia, options.bevel, "--bevel", "LENGTH",
-            "Height of the bevel, below the height [default: 0, sharp]");
+  add_value(inertia, options.bevel, "--bevel", "LENGTH", "Height of the bevel, below the height [default: 0, sharp]");
   inertia
       .add_flag("--measured", options.measured,
                 "The width is that of the finished stone; without this,\n"

@@ -110,8 +110,7 @@ std::optional<Decimal> take_decimal(std::string_view& text) {
 }
 
 bool in_range(const Decimal& decimal) {
-  const std::int64_t order =
-      decimal.exponent + static_cast<std::int64_t>(decimal.digits.size()) - 1;
+  const std::int64_t order = decimal.exponent + static_cast<std::int64_t>(decimal.digits.size()) - 1;
   return decimal.digits.empty() || (-largest_order <= order && order <= largest_order);
 }
 
@@ -119,8 +118,7 @@ Number to_number(const Decimal& decimal) {
   if (decimal.digits.empty()) {
     return Number(0);
   }
-  return Number((decimal.negative ? "-" : "") + decimal.digits + "e" +
-                std::to_string(decimal.exponent));
+  return Number((decimal.negative ? "-" : "") + decimal.digits + "e" + std::to_string(decimal.exponent));
 }
 
 std::string seventeen_digits(const Number& value) {

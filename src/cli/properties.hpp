@@ -63,7 +63,6 @@ inline constexpr std::array<Quantity, 16> quantities = {{
 /// The values of `quantities`, in SI units.
 using Values = std::array<Number, quantities.size()>;
 
-[[nodiscard]] Values values_of(const Stone<Number>& stone,
-                               const MassProperties<Number>& properties);
+[[nodiscard]] Values values_of(const Stone<Number>& stone, const MassProperties<Number>& properties);
 
 }  // namespace goishi::cli

@@ -31,14 +31,11 @@ std::string_view trimmed(std::string_view text) {
 
 Number parse(const std::string& argument, std::string_view text, std::span<const InputUnit> units,
              std::string_view names) {
-  const auto broken = [&](const std::string& rule) {
-    return InvalidArgument(argument, std::string(text), rule);
-  };
+  const auto broken = [&](const std::string& rule) { return InvalidArgument(argument, std::string(text), rule); };
   std::string_view rest = trimmed(text);
   auto decimal = take_decimal(rest);
   if (!decimal) {
-    throw broken(fmt::format("must be a decimal number, bare ({}) or with a unit ({})",
-                             units.front().name, names));
+    throw broken(fmt::format("must be a decimal number, bare ({}) or with a unit ({})", units.front().name, names));
   }
   rest = trimmed(rest);
   if (!rest.empty()) {
@@ -49,8 +46,7 @@ Number parse(const std::string& argument, std::string_view text, std::span<const
     decimal->exponent += unit->power;
   }
   if (!in_range(*decimal)) {
-    throw broken(
-        fmt::format("must be 0 or from 1e-{0} to 1e{0} {1}", largest_order, units.front().name));
+    throw broken(fmt::format("must be 0 or from 1e-{0} to 1e{0} {1}", largest_order, units.front().name));
   }
   return to_number(*decimal);
 }

@@ -68,8 +68,7 @@ const Format& format_of(const TableOptions& options) {
   const std::string file = options.output.value_or(options.check.value_or(""));
   const std::string extension = std::filesystem::path(file).extension().string();
   const auto* fitting = std::ranges::find_if(formats, [&extension](const Format& format) {
-    return !extension.empty() &&
-           std::ranges::find(format.extensions, extension) != format.extensions.end();
+    return !extension.empty() && std::ranges::find(format.extensions, extension) != format.extensions.end();
   });
   return fitting == formats.end() ? formats.front() : *fitting;
 }
@@ -132,8 +131,7 @@ int run_table(const TableOptions& options) {
       report(fmt::format("{}: {}", *options.check, *difference));
       return 1;
     }
-    write_standard_output(
-        fmt::format("{}: all {} rows agree\n", *options.check, table.rows.size()));
+    write_standard_output(fmt::format("{}: all {} rows agree\n", *options.check, table.rows.size()));
     return 0;
   }
   if (options.output) {

@@ -32,8 +32,7 @@ std::string excerpt(std::string_view line, std::size_t column) {
   while (end < line.size() && continues_character(line[end])) {
     ++end;
   }
-  return fmt::format("'{}{}{}'", begin == 0 ? "" : "…", line.substr(begin, end - begin),
-                     end == line.size() ? "" : "…");
+  return fmt::format("'{}{}{}'", begin == 0 ? "" : "…", line.substr(begin, end - begin), end == line.size() ? "" : "…");
 }
 
 }  // namespace
@@ -48,8 +47,7 @@ std::optional<std::string> first_difference(const Document& expected, std::strin
   const std::size_t begin = text.substr(0, offset).rfind('\n') + 1;  // npos + 1 is 0
   const auto number = std::ranges::count(text.substr(0, begin), '\n') + 1;
   const std::string row = expected.row_at(begin);
-  const std::string place =
-      row.empty() ? fmt::format("line {}", number) : fmt::format("{} (line {})", row, number);
+  const std::string place = row.empty() ? fmt::format("line {}", number) : fmt::format("{} (line {})", row, number);
   const std::string_view is = line_at(found, begin);
   const std::string_view should_be = line_at(text, begin);
   const std::size_t column = offset - begin;
@@ -62,8 +60,7 @@ std::optional<std::string> first_difference(const Document& expected, std::strin
   if (is == should_be) {
     return fmt::format("{} does not end", place);
   }
-  return fmt::format("{} differs: {} should be {}", place, excerpt(is, column),
-                     excerpt(should_be, column));
+  return fmt::format("{} differs: {} should be {}", place, excerpt(is, column), excerpt(should_be, column));
 }
 
 }  // namespace goishi::cli

@@ -12,7 +12,6 @@ namespace goishi::cli {
 
 /// Names the first row that differs (outside of the rows: the line) and shows both texts, briefly;
 /// nothing when they agree.
-[[nodiscard]] std::optional<std::string> first_difference(const Document& expected,
-                                                          std::string_view found);
+[[nodiscard]] std::optional<std::string> first_difference(const Document& expected, std::string_view found);
 
 }  // namespace goishi::cli

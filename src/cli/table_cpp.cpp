@@ -70,8 +70,7 @@ Document as_cpp(const Table& table) {
                               fmt::arg("density", table.density_assumed ? "assumed" : "given"),
                               fmt::arg("count", table.rows.size())));
   for (const TableRow& row : table.rows) {
-    std::string line =
-        fmt::format("    {{{}, StoneColor::{}", row.stone.number, to_string(row.stone.color));
+    std::string line = fmt::format("    {{{}, StoneColor::{}", row.stone.number, to_string(row.stone.color));
     for (const std::size_t column : columns) {
       line += ", " + shortest(row.values[column], column);
     }

@@ -43,8 +43,8 @@ std::string densities(const Table& table) {
   const Unit unit = unit_of_column(table, density);
   std::vector<std::string> parts;
   for (const TableRow& row : table.rows) {
-    const std::string part = fmt::format("{} {} ({})", six_digits(cell(table, row, density)),
-                                         unit.name, to_string(row.stone.color));
+    const std::string part =
+        fmt::format("{} {} ({})", six_digits(cell(table, row, density)), unit.name, to_string(row.stone.color));
     if (std::ranges::find(parts, part) == parts.end()) {
       parts.push_back(part);
     }

@@ -30,15 +30,13 @@ struct Table {
 /// A column after number and colour: an index into `quantities`. A wrong key does not compile.
 consteval std::size_t column(std::string_view key) {
   const auto* found = std::ranges::find(quantities, key, &Quantity::key);
-  return found == quantities.end() ? throw "no such quantity"
-                                   : static_cast<std::size_t>(found - quantities.begin());
+  return found == quantities.end() ? throw "no such quantity" : static_cast<std::size_t>(found - quantities.begin());
 }
 
 inline constexpr std::array<std::size_t, 12> columns = {
-    column("bevel"),       column("width"),          column("height"),
-    column("outer_width"), column("volume"),         column("surface_area"),
-    column("density"),     column("mass"),           column("axial"),
-    column("transverse"),  column("axial_per_mass"), column("transverse_per_mass")};
+    column("bevel"),  column("width"),        column("height"),         column("outer_width"),
+    column("volume"), column("surface_area"), column("density"),        column("mass"),
+    column("axial"),  column("transverse"),   column("axial_per_mass"), column("transverse_per_mass")};
 
 [[nodiscard]] inline Unit unit_of_column(const Table& table, std::size_t column) {
   return unit_of(quantities[column].dimension, table.units);

@@ -80,15 +80,13 @@ struct FreeTable {
 SolidMoments integrate_solid(const Geometry& geometry, const Rotation& R_WB, const Point& p_WB) {
   using std::numbers::pi;
   RayCaster cast(geometry);
-  const double reach = geometry.outer_radius + std::hypot(p_WB[0], p_WB[1], p_WB[2]);
-  const double absolute =
-      1e-16 * geometry.height * geometry.outer_radius * geometry.outer_radius * std::max(1.0, reach * reach);
-  Quadrature over_azimuth(1e-13, absolute), over_polar(2e-14, absolute);
+  Quadrature over_azimuth(1e-13), over_polar(2e-14);
   // Four Gauss–Legendre points integrate the radial polynomial, of degree 4 at most, exactly.
   const std::unique_ptr<gsl_integration_glfixed_table, FreeTable> radial(gsl_integration_glfixed_table_alloc(4));
   const double joint_angle = std::atan2(geometry.joint_radius, geometry.bevel / 2.0);
 
-  const auto integrate = [&](auto&& integrand) {
+  // `scale` is the size of an integral that does not vanish: products of inertia may.
+  const auto integrate = [&](double scale, auto&& integrand) {
     return over_azimuth(
         [&](double azimuth) {
           const auto ring = [&](double polar) {
@@ -110,19 +108,24 @@ SolidMoments integrate_solid(const Geometry& geometry, const Rotation& R_WB, con
             return sum * std::sin(polar);
           };
           // Pieces that meet where cap and bevel do; at the equator for a sharp stone.
-          const double band = geometry.bevel > 0.0 ? over_polar(ring, joint_angle, pi - joint_angle) : 0.0;
-          return over_polar(ring, 0.0, joint_angle) + band + over_polar(ring, pi - joint_angle, pi);
+          const double band =
+              geometry.bevel > 0.0 ? over_polar(ring, joint_angle, pi - joint_angle, 1e-15 * scale) : 0.0;
+          return over_polar(ring, 0.0, joint_angle, 1e-15 * scale) + band +
+                 over_polar(ring, pi - joint_angle, pi, 1e-15 * scale);
         },
-        0.0, 2.0 * pi);
+        0.0, 2.0 * pi, 1e-14 * scale);
   };
+  const double reach = geometry.outer_radius + std::hypot(p_WB[0], p_WB[1], p_WB[2]);
+  const double size = geometry.height * geometry.outer_radius * geometry.outer_radius;
 
   SolidMoments result{};
-  result.volume = integrate([](const Point&) { return 1.0; });
+  result.volume = integrate(size, [](const Point&) { return 1.0; });
   for (std::size_t i = 0; i < 3; ++i) {
-    result.first[i] = integrate([i](const Point& x) { return x[i]; });
+    result.first[i] = integrate(size * reach, [i](const Point& x) { return x[i]; });
     for (std::size_t j = 0; j <= i; ++j) {
-      result.tensor[i][j] = integrate(
-          [i, j](const Point& x) { return (i == j ? x[0] * x[0] + x[1] * x[1] + x[2] * x[2] : 0.0) - x[i] * x[j]; });
+      result.tensor[i][j] = integrate(size * reach * reach, [i, j](const Point& x) {
+        return (i == j ? x[0] * x[0] + x[1] * x[1] + x[2] * x[2] : 0.0) - x[i] * x[j];
+      });
       result.tensor[j][i] = result.tensor[i][j];
     }
   }

@@ -64,7 +64,7 @@ template <Field T>
 /// In each bracket the first term is the caps (½∫ρ⁴ dz, and ∫ρ²z² dz), the second the band; a cap is integrated in the
 /// depth below the joint, where every term is positive. P_x² stands for k (2r − k), so that k⁴ may underflow without
 /// harm.
-/// Limits  b -> 0: `lens_moments`.   Error  claim MASS-2.   Proof  derivations/bevel.cpp.
+/// Limits  b -> 0: `lens_moments`.   Error  claim MASS-2.   Proof  derivations/bevel_mass.cpp.
 template <Elementary T, class S>
 [[nodiscard]] Moments<T> bevelled_moments(const Stone<S>& stone, const BevelTerms<T>& terms) {
   const S& r1 = stone.bevel_major_radius;

@@ -46,7 +46,7 @@ struct ArcIntegrals {
 ///     D₁ = s³/3,   D₂ = (α − s c + 2 s³ c)/8,   D₃ = s³ (2 + 3c²)/15
 ///
 /// Domain  0 <= α <= π/2.   Error  D₂ alone cancels, for small α, where its share of a moment is below round-off.
-/// Proof   derivations/bevel.cpp.
+/// Proof   derivations/bevel_mass.cpp.
 template <Field T>
 [[nodiscard]] constexpr ArcIntegrals<T> arc_integrals(const T& angle, const T& cosine, const T& sine) {
   const T square = scalar::sq(cosine);
@@ -89,7 +89,7 @@ template <Field T, class S = T>
 ///     V = π [ k (P_x² + k²/3) + 2 g r₁² + 2 r₂² (2 r₁ C₂ + r₂ C₃) ]
 ///
 /// The first term is the two caps, the others the band: π ∫ (r₁ + r₂ cos φ)² r₂ cos φ dφ.
-/// Limits  b -> 0: `lens_volume`.   Error  all terms positive; claim MASS-2.   Proof  derivations/bevel.cpp.
+/// Limits  b -> 0: `lens_volume`.   Error  all terms positive; claim MASS-2.   Proof  derivations/bevel_mass.cpp.
 template <Elementary T, class S>
 [[nodiscard]] T bevelled_volume(const Stone<S>& stone, const BevelTerms<T>& terms) {
   const S& r1 = stone.bevel_major_radius;
@@ -104,7 +104,7 @@ template <Elementary T, class S>
 ///     S = 2π [ (P_x² + k²) + 2 r₂ (r₁ α + g) ]
 ///
 /// The first term is the two caps (4π r k), the second the band: 2π ∫ (r₁ + r₂ cos φ) r₂ dφ.
-/// Limits  b -> 0: `lens_surface_area`.   Error  all terms positive; claim MASS-2.   Proof  derivations/bevel.cpp.
+/// Limits  b -> 0: `lens_surface_area`.   Error  all terms positive; claim MASS-2.   Proof  derivations/bevel_mass.cpp.
 template <Elementary T, class S>
 [[nodiscard]] T bevelled_surface_area(const Stone<S>& stone, const BevelTerms<T>& terms) {
   const T caps = terms.joint_square + scalar::sq(terms.cap_height);
