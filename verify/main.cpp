@@ -45,7 +45,10 @@ void define(CLI::App& app, Options& options) {
   app.add_option("--tier", options.tier, "quick: under 10 s; full: more samples, under 60 s")
       ->check(CLI::IsMember({"quick", "full"}))
       ->capture_default_str();
-  app.add_option("--seed", options.seed, "seed of all random samples")->capture_default_str()->type_name("N");
+  app.add_option("--seed", options.seed, "seed of all random samples")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str()
+      ->type_name("N");
   app.add_option("--threads", options.threads, "claims measured at once; the results do not depend on it")
       ->check(CLI::Range(1U, 256U))
       ->capture_default_str()
