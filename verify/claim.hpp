@@ -98,6 +98,7 @@ struct Claim {
   double resolution = 0.0;  // one ulp of the quantity, in the unit; a smaller error counts as this much
   std::vector<Mutant> mutants;
   std::function<Measurement(Context&)> measure;
+  std::string source = {};  // its file below verify/, set by `all_claims`
 };
 
 /// A bound that is this many times what is measured guards nothing: the claim fails.

@@ -38,7 +38,7 @@ void define(CLI::App& app, Options& options) {
   app.add_flag("--list", options.list, "list the claims, and measure nothing");
   app.add_flag(
       "--mutants", options.mutants,
-      "list the wrong changes to the source that each claim must catch: claim, file, from, to, separated by tabs");
+      "list the wrong changes to the source that each claim must catch: claim, its source, file, from, to, separated by tabs");
   app.add_option("--filter", options.filter,
                  "only claims whose id matches: * and ? as in a shell, several separated by commas")
       ->type_name("GLOB");
@@ -71,7 +71,7 @@ void list(const std::vector<Claim>& claims) {
 void list_mutants(const std::vector<Claim>& claims) {
   for (const Claim& claim : claims) {
     for (const Mutant& mutant : claim.mutants) {
-      fmt::print("{}\t{}\t{}\t{}\n", claim.id, mutant.file, mutant.from, mutant.to);
+      fmt::print("{}\t{}\t{}\t{}\t{}\n", claim.id, claim.source, mutant.file, mutant.from, mutant.to);
     }
   }
 }

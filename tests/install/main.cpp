@@ -1,6 +1,9 @@
-#include <goishi/mass/inertia.hpp>
-#include <goishi/shape/stone.hpp>
+#include <goishi/mass/tensor.hpp>
+#include <goishi/shape/catalogue.hpp>
 
 int main() {
-  return 0;
+  const auto stone = goishi::make_stone(goishi::catalogue_stone(33, goishi::StoneColor::white), 0.001);
+  const auto body = goishi::mass_properties(stone, goishi::Density{2800.0});
+  const bool weighs_five_grams = 0.0045 < body.mass && body.mass < 0.0055;
+  return weighs_five_grams ? 0 : 1;
 }

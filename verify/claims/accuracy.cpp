@@ -224,8 +224,8 @@ std::vector<Claim> accuracy_claims() {
        .bound = 2.0,
        .reason = once + "; the outer width 2(r₁ + r₂) is a sum of two such: 1½ ulp",
        .resolution = 1.0,
-       .mutants = {{"shape/bevel.hpp", "(outer_width - bevel_height) + shrink",
-                    "(outer_width + height) - T(2) * bevel_height"}},
+       .mutants = {{"shape/stone.hpp", "formula::measured_sphere_offset(Wide(outer_width), h, b)",
+                    "Wide(formula::measured_sphere_offset(outer_width, height, bevel))"}},
        .measure = shape_measure(Parametrisation::measured)},
       {.id = "SHAPE-4",
        .statement =

@@ -7,9 +7,18 @@ namespace goishi::verify {
 
 std::vector<Claim> all_claims() {
   std::vector<Claim> all;
-  for (auto* subject :
-       {accuracy_claims, enclosure_claims, gsl_claims, law_claims, tensor_claims, table_claims, published_claims}) {
+  const std::pair<const char*, std::vector<Claim> (*)()> subjects[] = {{"claims/accuracy.cpp", accuracy_claims},
+                                                                       {"claims/enclosure.cpp", enclosure_claims},
+                                                                       {"claims/gsl.cpp", gsl_claims},
+                                                                       {"claims/laws.cpp", law_claims},
+                                                                       {"claims/tensor.cpp", tensor_claims},
+                                                                       {"claims/table.cpp", table_claims},
+                                                                       {"claims/published.cpp", published_claims}};
+  for (const auto& [source, subject] : subjects) {
     std::vector<Claim> claims = subject();
+    for (Claim& claim : claims) {
+      claim.source = source;
+    }
     all.insert(all.end(), std::make_move_iterator(claims.begin()), std::make_move_iterator(claims.end()));
   }
   return all;
