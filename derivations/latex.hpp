@@ -47,10 +47,12 @@ inline std::string sum_latex(const GiNaC::ex& sum) {
   std::sort(minus.begin(), minus.end());
   std::string text;
   for (const std::string& term : plus) {
-    text += (text.empty() ? "" : " + ") + term;
+    text += text.empty() ? "" : " + ";
+    text += term;
   }
   for (const std::string& term : minus) {
-    text += (text.empty() ? "-" : " - ") + term;
+    text += text.empty() ? "-" : " - ";
+    text += term;
   }
   return text;
 }
@@ -101,7 +103,8 @@ inline std::string joined(std::vector<Factor> factors) {
   std::sort(factors.begin(), factors.end(), before);
   std::string text;
   for (const Factor& factor : factors) {
-    text += (text.empty() ? "" : " ") + factor.among();
+    text += text.empty() ? "" : " ";
+    text += factor.among();
   }
   return text;
 }
@@ -160,7 +163,8 @@ inline std::string product_latex(const GiNaC::ex& product) {
     first.text = first.text == same ? first.negative() : same;
     negative = false;
   }
-  return (negative ? "-" : "") + fraction_latex(joined(std::move(over)), joined(std::move(under)));
+  const std::string size = fraction_latex(joined(std::move(over)), joined(std::move(under)));
+  return (negative ? "-" : "") + size;
 }
 
 }  // namespace detail

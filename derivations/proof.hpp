@@ -7,6 +7,7 @@
 #include <exception>
 #include <functional>
 #include <iostream>
+#include <sstream>
 #include <string>
 #include <vector>
 #include "algebra.hpp"
@@ -64,10 +65,15 @@ class Document {
       proved = false;
       trouble = std::string(": ") + error.what();
     }
-    const std::string verdict = !proved       ? "**NOT PROVED**" + trouble
-                                : passed == 0 ? "**Proved**; fails for every altered result"
-                                              : "**" + std::to_string(passed) + " WRONG RESULTS PASS TOO**";
-    conclude(statement.text, verdict, proved && passed == 0);
+    std::ostringstream verdict;
+    if (!proved) {
+      verdict << "**NOT PROVED**" << trouble;
+    } else if (passed == 0) {
+      verdict << "**Proved**; fails for every altered result";
+    } else {
+      verdict << "**" << passed << " WRONG RESULTS PASS TOO**";
+    }
+    conclude(statement.text, verdict.str(), proved && passed == 0);
   }
 
   /// A limit, already taken in `result`, where most alterations would vanish: the controls are the scaled result, or 1 for 0.

@@ -18,6 +18,10 @@ using Vector = goishi::Vec3<ex>;
 
 const Vector point(x, y, z);
 
+std::string indexed(const std::string& name, int index) {
+  return name + std::to_string(index);
+}
+
 /// A vector or a symmetric matrix of independent symbols.
 Vector letters(const std::string& name) {
   const auto letter = [&](const std::string& index) { return realsymbol(name + index, name + "_" + index); };
@@ -170,8 +174,7 @@ W.)");
   const Matrix R = rotation_matrix(rotation);
   Matrix R_letters;
   for (int i = 0; i < 9; ++i) {
-    R_letters(i) =
-        realsymbol("R" + std::to_string(i), "R_{" + std::to_string(i % 3 + 1) + std::to_string(i / 3 + 1) + "}");
+    R_letters(i) = realsymbol(indexed("R", i), indexed("R_{", 10 * (i % 3 + 1) + i / 3 + 1) + "}");
     meaning[R_letters(i)] = R(i);
   }
   const Matrix rotated = formula::rotated_tensor<ex>(tensor.letters, R_letters);

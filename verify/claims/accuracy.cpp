@@ -241,14 +241,14 @@ std::vector<Claim> accuracy_claims() {
                     "T(sphere_radius - sphere_radius * core_share)"}},
        .measure = measure_cancellation},
       {.id = "MASS-1",
-       .statement =
-           "Volume, area, moments and moments per mass of a sharp lens are right to one ulp, float and double.",
+       .statement = "Volume, area, moments and moments per mass of a sharp lens are right to four ulps, float and "
+                    "double; all but the area to one.",
        .function = "mass_properties, sharp",
        .family = OracleFamily::independent,
        .oracle = arb,
        .unit = "ulp",
-       .bound = 1.0,
-       .reason = once,
+       .bound = 4.0,
+       .reason = once + "; the area in T: four roundings and that of π, 4½ half-ulps of relative error or fewer",
        .resolution = 1.0,
        .mutants = {{"mass/inertia.hpp", "using Wide = scalar::wider_t<T>;", "using Wide = T;"}},
        .measure = mass_measure({Parametrisation::sharp})},
