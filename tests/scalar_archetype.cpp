@@ -12,66 +12,39 @@
 
 namespace {
 
-/// A field: nothing but + − × ÷ and whole numbers.
-class Archetype {
+/// Nothing but + − × ÷ and whole numbers, and elementary functions if asked for.
+template <bool elementary>
+class ArchetypeScalar {
  public:
-  explicit Archetype(int n) : value_(n) {}
-  explicit Archetype(std::same_as<double> auto) = delete;
-  explicit Archetype(std::same_as<float> auto) = delete;
-  bool operator<(const Archetype&) const = delete;
-  bool operator==(const Archetype&) const = delete;
-  friend Archetype operator+(const Archetype& x, const Archetype& y) { return of(x.value_ + y.value_); }
-  friend Archetype operator-(const Archetype& x, const Archetype& y) { return of(x.value_ - y.value_); }
-  friend Archetype operator*(const Archetype& x, const Archetype& y) { return of(x.value_ * y.value_); }
-  friend Archetype operator/(const Archetype& x, const Archetype& y) { return of(x.value_ / y.value_); }
-  friend Archetype operator-(const Archetype& x) { return of(-x.value_); }
+  explicit ArchetypeScalar(int n) : value_(n) {}
+  explicit ArchetypeScalar(std::same_as<double> auto) = delete;
+  explicit ArchetypeScalar(std::same_as<float> auto) = delete;
+  bool operator<(const ArchetypeScalar&) const = delete;
+  bool operator==(const ArchetypeScalar&) const = delete;
   [[nodiscard]] double value() const { return value_; }
 
- protected:
-  static Archetype of(double value) {
-    Archetype result(0);
-    result.value_ = value;
-    return result;
-  }
-  double value_;
-};
-
-/// The same with elementary functions.
-class ElementaryArchetype {
- public:
-  explicit ElementaryArchetype(int n) : value_(n) {}
-  explicit ElementaryArchetype(std::same_as<double> auto) = delete;
-  explicit ElementaryArchetype(std::same_as<float> auto) = delete;
-  bool operator<(const ElementaryArchetype&) const = delete;
-  friend ElementaryArchetype operator+(const ElementaryArchetype& x, const ElementaryArchetype& y) {
-    return of(x.value_ + y.value_);
-  }
-  friend ElementaryArchetype operator-(const ElementaryArchetype& x, const ElementaryArchetype& y) {
-    return of(x.value_ - y.value_);
-  }
-  friend ElementaryArchetype operator*(const ElementaryArchetype& x, const ElementaryArchetype& y) {
-    return of(x.value_ * y.value_);
-  }
-  friend ElementaryArchetype operator/(const ElementaryArchetype& x, const ElementaryArchetype& y) {
-    return of(x.value_ / y.value_);
-  }
-  friend ElementaryArchetype operator-(const ElementaryArchetype& x) { return of(-x.value_); }
-  friend ElementaryArchetype sqrt(const ElementaryArchetype& x) { return of(std::sqrt(x.value_)); }
-  friend ElementaryArchetype sin(const ElementaryArchetype& x) { return of(std::sin(x.value_)); }
-  friend ElementaryArchetype cos(const ElementaryArchetype& x) { return of(std::cos(x.value_)); }
-  friend ElementaryArchetype atan2(const ElementaryArchetype& y, const ElementaryArchetype& x) {
-    return of(std::atan2(y.value_, x.value_));
-  }
-  [[nodiscard]] double value() const { return value_; }
+  using Self = ArchetypeScalar;
+  friend Self operator+(const Self& x, const Self& y) { return of(x.value_ + y.value_); }
+  friend Self operator-(const Self& x, const Self& y) { return of(x.value_ - y.value_); }
+  friend Self operator*(const Self& x, const Self& y) { return of(x.value_ * y.value_); }
+  friend Self operator/(const Self& x, const Self& y) { return of(x.value_ / y.value_); }
+  friend Self operator-(const Self& x) { return of(-x.value_); }
+  friend Self sqrt(const Self& x) requires elementary { return of(std::sqrt(x.value_)); }
+  friend Self sin(const Self& x) requires elementary { return of(std::sin(x.value_)); }
+  friend Self cos(const Self& x) requires elementary { return of(std::cos(x.value_)); }
+  friend Self atan2(const Self& y, const Self& x) requires elementary { return of(std::atan2(y.value_, x.value_)); }
 
  private:
-  static ElementaryArchetype of(double value) {
-    ElementaryArchetype result(0);
+  static Self of(double value) {
+    Self result(0);
     result.value_ = value;
     return result;
   }
   double value_;
 };
+
+using Archetype = ArchetypeScalar<false>;
+using ElementaryArchetype = ArchetypeScalar<true>;
 
 static_assert(goishi::Field<Archetype> && !goishi::Elementary<Archetype> && !goishi::Ordered<Archetype>);
 static_assert(goishi::Elementary<ElementaryArchetype> && !goishi::Ordered<ElementaryArchetype>);

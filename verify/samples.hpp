@@ -3,8 +3,10 @@
 /// The one stratified list of shapes that accuracy, laws and quadrature draw from.
 
 #include <cmath>
+#include <goishi/rotation.hpp>
 #include <goishi/shape/catalogue.hpp>
 #include <random>
+#include <sstream>
 #include <string>
 
 namespace goishi::verify {
@@ -68,6 +70,12 @@ template <class T>
   const double w = 0.5 + 1.5 * unit(random);
   const double h = w * (0.05 + 0.93 * unit(random));
   return {w, h, h * (0.01 + 0.94 * unit(random))};
+}
+
+/// Evenly distributed over all attitudes.
+[[nodiscard]] inline Quat<double> draw_attitude(std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  return Quat<double>(normal(random), normal(random), normal(random), normal(random)).normalized();
 }
 
 template <class T>

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Distance in units in the last place.
+/// Differences: relative, and in units in the last place.
 
 #include <cmath>
 #include <limits>
@@ -12,6 +12,11 @@ template <class T>
 [[nodiscard]] T ulp_of(T value) {
   const T magnitude = std::fabs(value);
   return std::nextafter(magnitude, std::numeric_limits<T>::infinity()) - magnitude;
+}
+
+/// |computed/expected − 1|.
+[[nodiscard]] inline double relative(double computed, double expected) {
+  return std::fabs(computed / expected - 1.0);
 }
 
 /// |computed − exact| in ulps of `exact` as T rounds it. `exact` is a scalar of more digits that T converts to. NaN if

@@ -12,16 +12,13 @@
 #include "verify/oracles/profile.hpp"
 #include "verify/oracles/solid.hpp"
 #include "verify/samples.hpp"
+#include "verify/ulps.hpp"
 
 namespace goishi::verify {
 
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
-double relative(double computed, double expected) {
-  return std::fabs(computed / expected - 1.0);
-}
 
 void see_integrals(Worst& worst, const Context& context, const Stone<double>& stone, const Geometry& geometry,
                    const std::string& name) {
@@ -93,7 +90,7 @@ Series outline(const std::string& name, const Stone<double>& stone) {
 
 Plot outlines() {
   const double w = 0.022, h = 0.0092, b = 0.003;
-  return {.title = "22 × 9.2 mm, bevel 3 mm: as published the bevel shrinks the stone, as measured the width is given",
+  return {.title = "22 × 9.2 mm with a bevel of 3 mm, as published and as measured",
           .x_label = "ρ [mm]",
           .y_label = "z [mm]",
           .equal_scale = true,
@@ -120,17 +117,11 @@ Measurement measure_measured(Context& context) {
   return result;
 }
 
-Eigen::Quaterniond draw_attitude(Context& context) {
-  std::normal_distribution<double> normal;
-  auto& random = context.random();
-  return Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random)).normalized();
-}
-
 Measurement measure_tensor(Context& context) {
   Worst worst;
   const auto see = [&](const Stone<double>& stone, const std::string& name) {
     const Geometry geometry = solve_published(stone.width, stone.height, stone.bevel);
-    const Eigen::Quaterniond q_WB = draw_attitude(context);
+    const Eigen::Quaterniond q_WB = draw_attitude(context.random());
     const double reach = 0.7 * stone.width;
     const Eigen::Vector3d p_WB(context.uniform(-reach, reach), context.uniform(-reach, reach),
                                context.uniform(-reach, reach));

@@ -9,6 +9,7 @@
 
 #include "verify/claims/claims.hpp"
 #include "verify/samples.hpp"
+#include "verify/ulps.hpp"
 
 namespace goishi::verify {
 
@@ -17,10 +18,6 @@ namespace {
 using std::numbers::pi;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
-double relative(double computed, double expected) {
-  return std::fabs(computed / expected - 1.0);
-}
 
 MassProperties<double> unit_density(const Stone<double>& stone) {
   return mass_properties(stone, Density{1.0});

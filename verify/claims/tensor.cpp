@@ -18,12 +18,6 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-Quat<double> draw_attitude(Context& context) {
-  std::normal_distribution<double> normal;
-  auto& random = context.random();
-  return Quat<double>(normal(random), normal(random), normal(random), normal(random)).normalized();
-}
-
 Vec3<double> draw_position(Context& context, double reach) {
   return {context.uniform(-reach, reach), context.uniform(-reach, reach), context.uniform(-reach, reach)};
 }
@@ -46,8 +40,8 @@ Measurement over_stones(Context& context, int count,
 
 Measurement measure_equivariance(Context& context) {
   return over_stones(context, context.samples(2000, 20000), [&](const MassProperties<double>& body, double width) {
-    const Quat<double> q_WB = draw_attitude(context);
-    const Quat<double> q_VW = draw_attitude(context);
+    const Quat<double> q_WB = draw_attitude(context.random());
+    const Quat<double> q_VW = draw_attitude(context.random());
     const Vec3<double> p_WB = draw_position(context, width);
     const Mat3<double> in_W = context.produced(inertia_tensor(body, q_WB, p_WB).eval());
     const Mat3<double> in_V = inertia_tensor(body, (q_VW * q_WB).normalized(), Vec3<double>(q_VW * p_WB));
@@ -60,7 +54,7 @@ Measurement measure_equivariance(Context& context) {
 Measurement measure_parallel_axes(Context& context) {
   return over_stones(context, context.samples(2000, 5000), [&](const MassProperties<double>& body, double width) {
     using Real = Digits50;
-    const Quat<double> q_WB = draw_attitude(context);
+    const Quat<double> q_WB = draw_attitude(context.random());
     const Vec3<double> p_WB = draw_position(context, 2.0 * width);
     // Second moments along the axes, from ∫x² + ∫y² = I_a and ∫y² + ∫z² = I_t.
     const Real m(body.mass);
@@ -102,7 +96,7 @@ Measurement measure_physical(Context& context) {
 
 Measurement measure_principal_axes(Context& context) {
   return over_stones(context, context.samples(2000, 20000), [&](const MassProperties<double>& body, double) {
-    const Quat<double> q_WB = draw_attitude(context);
+    const Quat<double> q_WB = draw_attitude(context.random());
     const Mat3<double> tensor = inertia_tensor(body, q_WB, Vec3<double>(Vec3<double>::Zero()));
     const PrincipalAxes<double> axes = principal_axes(tensor);
     const Mat3<double>& R = axes.R_WP;
