@@ -27,7 +27,7 @@ template <Ordered T>
 [[nodiscard]] Mat3<T> rotation_matrix(const Quat<T>& q_WB) {
   const T defect = q_WB.squaredNorm() - T(1);
   require(defect < unit_tolerance<T> && -unit_tolerance<T> < defect, "attitude", q_WB.norm(),
-          "must be a unit quaternion");
+          "must be a unit quaternion; |q|² is off by ", defect, ", more than round-off: normalise it first");
   return q_WB.toRotationMatrix();
 }
 

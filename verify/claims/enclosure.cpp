@@ -101,13 +101,13 @@ Measurement measure_width(Context& context) {
 std::vector<Claim> enclosure_claims() {
   return {
       {.id = "ENCLOSURE-1",
-       .statement = "The formulas on balls enclose the formulas in 50 digits, over the whole domain.",
+       .statement = "The formulas on balls meet the formulas in 50 digits, over the whole domain.",
        .function = "goishi::formula, every scalar",
        .family = OracleFamily::independent,
        .oracle = "Boost.Multiprecision, 50 digits, ± 1e-45 for its own roundings",
        .unit = "enclosures missed",
        .bound = 0.0,
-       .reason = "an enclosure holds or it does not",
+       .reason = "an enclosure meets the 50-digit value or it does not",
        .mutants = {},
        .measure = measure_containment},
       {.id = "ENCLOSURE-2",

@@ -72,8 +72,8 @@ Measurement measure_scaling(Context& context) {
     const MassProperties<double> one = unit_density(make_stone(shape.width, shape.height, shape.bevel));
     // λw, λh, λb are rounded: a stone with sides changed by up to ε/2 each. Near h = w or b = h that changes its
     // shape, so the factor is a power of two there.
-    const bool exact_shape = shape.height < 0.9 * shape.width && shape.bevel < 0.9 * shape.height;
-    const double factor = exact_shape ? lambda : std::exp2(std::round(std::log2(lambda)));
+    const bool well_conditioned = shape.height < 0.9 * shape.width && shape.bevel < 0.9 * shape.height;
+    const double factor = well_conditioned ? lambda : std::exp2(std::round(std::log2(lambda)));
     const MassProperties<double> other =
         unit_density(make_stone(factor * shape.width, factor * shape.height, factor * shape.bevel));
     const double square = factor * factor;
@@ -116,7 +116,7 @@ Measurement measure_sandwich(Context& context) {
     see(lens.volume, cone, ellipsoid, "V");
     see(lens.moments.axial, cone * 0.3 * c * c, ellipsoid * 0.4 * c * c, "I_a");
     see(lens.moments.transverse, cone * (3.0 * c * c / 20.0 + a * a / 10.0), ellipsoid * (a * a + c * c) / 5.0, "I_t");
-    // A bevel takes away: the bevelled stone is inside its lens, and holds its core.
+    // A bevel takes away: the bevelled stone is inside its lens.
     const MassProperties<double> stone = unit_density(make_stone(shape.width, shape.height, shape.bevel));
     see(stone.volume, 0.0, lens.volume, "V, bevelled");
     see(stone.moments.axial, 0.0, lens.moments.axial, "I_a, bevelled");
@@ -208,7 +208,8 @@ std::vector<Claim> law_claims() {
        .oracle = "the leading term in h/w, at h/w of 1e-9 … 3e-9",
        .unit = "relative",
        .bound = 4.0 * epsilon,
-       .reason = "(h/w)² < 1e-16 is neglected; 1 ulp of production, 2½ of the limit's formula in double",
+       .reason = "(h/w)² < 1e-16 is neglected; 1 ulp of production (3 of the area, whose formula is the limit's), 2½ "
+                 "of the limit's formula in double",
        .resolution = epsilon,
        .mutants = {{"mass/volume.hpp", "scalar::pi<T>() / T(3) * a", "scalar::pi<T>() / T(4) * a"}},
        .measure = measure_disc},

@@ -67,6 +67,7 @@ Measurement measure_dimensions(Context& context) {
                        right_properties().volume;
   Worst worst;
   worst.see(std::fabs(context.produced(right) - 8.0), [] { return "production's volume, lengths doubled"; });
+  worst.see(growth < 4.0 ? 0.0 : 1.0, [] { return "V', lengths doubled: it grows like an area at most"; });
   Measurement result = worst.measurement();
   result.figures = {{"V' grows by", fmt::format("{:.4f} when lengths double", growth)},
                     {"a volume grows by", fmt::format("{:.4f}", right)}};
@@ -135,6 +136,12 @@ Measurement measure_low(Context& context) {
        {1.0 - printed_axial / axial, 1.0 - printed_closed_form / axial, 1.0 - printed_transverse / transverse}) {
     worst.see(std::fabs(deficit - 0.27) / 0.01, [&] { return fmt::format("a deficit of {:.2f} %", 100.0 * deficit); });
   }
+  // With the right volume both prints of I_a come right, the grid's to half a percent: they share the density, no more.
+  const double density = published_volume(published_width, published_height) / right.volume;
+  for (const double print : {printed_axial, printed_closed_form}) {
+    worst.see(std::fabs(print * density / axial - 1.0) / 0.01,
+              [&] { return fmt::format("{} with the right volume", print); });
+  }
   Measurement result = worst.measurement();
   result.figures = {
       {"printed", fmt::format("diag({}, {}, {}) cm²", printed_transverse, printed_axial, printed_transverse)},
@@ -166,9 +173,10 @@ Measurement measure_bevel(Context& context) {
   const double r2 = context.produced(right.bevel_minor_radius);
   Worst worst;
   worst.see(std::fabs(wrong.minor_radius + 5.85) / 0.01, [] { return "the published r₂ of −5.85 mm"; });
-  // What is right touches the sphere from inside, r − r₂ = √(d² + r₁²), at height b/2: both in units of 0.01 mm.
-  worst.see(std::fabs((r - r2) - std::hypot(d, r1)) / 0.01, [] { return "tangency of the right bevel"; });
-  worst.see(std::fabs(-d + r * d / (r - r2) - 0.5) / 0.01, [] { return "height of the right joint"; });
+  worst.see(std::fabs(r2 - 0.68) / 0.01, [] { return "the right r₂ of 0.68 mm"; });
+  // What is right touches the sphere from inside, r − r₂ = √(d² + r₁²), at height b/2: to 1e-12 mm.
+  worst.see(std::fabs((r - r2) - std::hypot(d, r1)) / 1e-12, [] { return "tangency of the right bevel"; });
+  worst.see(std::fabs(-d + r * d / (r - r2) - 0.5) / 1e-12, [] { return "height of the right joint"; });
   Measurement result = worst.measurement();
   result.figures = {{"published r₁, r₂", fmt::format("{:.4f} mm, {:.4f} mm", wrong.major_radius, wrong.minor_radius)},
                     {"right r₁, r₂", fmt::format("{:.4f} mm, {:.4f} mm", r1, r2)},
@@ -249,9 +257,9 @@ std::vector<Claim> published_claims() {
        .function = "make_stone(width, height, bevel)",
        .family = OracleFamily::published,
        .oracle = "the talk's function, and the tangency of circles",
-       .unit = "0.01 mm",
+       .unit = "0.01 mm, or 1e-12 mm",
        .bound = 0.5,
-       .reason = "half a unit of the last digit of −5.85 mm; the tangency is far below",
+       .reason = "half a unit of the last digit of −5.85 and 0.68 mm; tangency to half of 1e-12 mm",
        .resolution = 0.01,
        .mutants = {{"shape/bevel.hpp", "T(2) * sphere_offset + (height + bevel_height) / T(2)",
                     "T(2) * sphere_offset + height / T(2)"}},
@@ -262,8 +270,8 @@ std::vector<Claim> published_claims() {
        .family = OracleFamily::published,
        .oracle = "the Nihon Ki-in's figure",
        .unit = "µm",
-       .bound = 2e-11,
-       .reason = "the two widths and their difference are each rounded: 3 ulp of 22 mm",
+       .bound = 1.1e-11,
+       .reason = "the two widths are each rounded, and 0.3 mm as it is written here: 3 ulp of 22 mm are 1e-11 µm",
        .resolution = 3.5e-12,
        .mutants = {{"shape/catalogue.hpp", "black_wider = 300", "black_wider = 3000"}},
        .measure = measure_black},

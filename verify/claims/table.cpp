@@ -88,10 +88,10 @@ Measurement measure_nearest(Context& context) {
 Measurement measure_rows(Context& context) {
   Worst worst;
   std::size_t rows = 0;
-  for_each_row([&](std::size_t index, const CatalogueStone& entry, int) {
+  for_each_row([&](std::size_t index, const CatalogueStone& entry, int bevel) {
     ++rows;
     const bool same = index < inertia_table.size() && inertia_table[index].number == entry.number &&
-                      inertia_table[index].color == entry.color;
+                      inertia_table[index].color == entry.color && inertia_table[index].bevel == metres<double>(bevel);
     worst.see(same ? 0.0 : 1.0,
               [&] { return fmt::format("row {}: size {} {}", index, entry.number, to_string(entry.color)); });
   });

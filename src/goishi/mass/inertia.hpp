@@ -62,8 +62,7 @@ template <Field T>
 ///                       + 2 r₂³ (r₁² D₁ + 2 r₁ r₂ D₂ + r₂² D₃) ]
 ///
 /// In each bracket the first term is the caps (½∫ρ⁴ dz, and ∫ρ²z² dz), the second the band; a cap is integrated in the
-/// depth below the joint, where every term is positive. P_x² stands for k (2r − k), so that k⁴ may underflow without
-/// harm.
+/// depth below the joint, where every term is positive.
 /// Limits  b -> 0: `lens_moments`.   Error  claim MASS-2.   Proof  derivations/bevel_mass.cpp.
 template <Elementary T, class S>
 [[nodiscard]] Moments<T> bevelled_moments(const Stone<S>& stone, const BevelTerms<T>& terms) {

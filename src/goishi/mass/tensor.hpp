@@ -100,13 +100,14 @@ void require_physical(const Moments<T>& moments) {
 /// Principal axes back from the full tensor, by Eigen's symmetric solver.
 ///
 /// Domain  symmetric, positive definite, triangle inequality (within round-off), else InvalidArgument.
-/// Error   moments <= 16 ε trace; axes as the gap between moments allows (claim TENSOR-4).
+/// Error   moments <= 24 ε trace, R a rotation to 24 ε (claim TENSOR-4). A body so far from the point that its least moment
+///         is below that is refused: take the tensor about a nearer point.
 template <Ordered T>
 [[nodiscard]] PrincipalAxes<T> principal_axes(const Mat3<T>& tensor) {
   const T trace = tensor.trace();
   const T asymmetry = (tensor - tensor.transpose()).cwiseAbs().maxCoeff();
-  require(scalar::is_finite(trace), "tensor", trace, "must be finite");
-  require(!(T(16) * std::numeric_limits<T>::epsilon() * trace < asymmetry), "tensor", asymmetry,
+  require(T(0) < trace && scalar::is_finite(trace), "tensor", trace, "must have a positive, finite trace (shown)");
+  require(asymmetry <= T(16) * std::numeric_limits<T>::epsilon() * trace, "tensor", asymmetry,
           "must be symmetric (largest difference shown)");
   // Scaled to trace 1, so that moments of any unit neither overflow nor underflow in the solver.
   const Eigen::SelfAdjointEigenSolver<Mat3<T>> solver(Mat3<T>((tensor + tensor.transpose()) / (T(2) * trace)));

@@ -30,7 +30,7 @@ namespace formula {
 /// Domain  0 < h, 0 <= b < h, 0 <= d, and not b = d = 0 (the sharp ball: 0/0).
 /// Limits  b -> 0: r₁ = w/2, r₂ = 0.   d = 0: r₁ = 0, r₂ = h/2 (the ball, whatever b).
 /// Error   every sum has positive terms, h − b is the data's own difference; claim SHAPE-2. The talk's r − √(d² + r₁²)
-///         for r₂ loses all digits on thin stones, its √(r² + y²) for P_x is wrong: claim PUBLISHED-5.
+///         for r₂ loses all digits on thin stones (SHAPE-4), its √(r² + y²) for P_x is wrong (PUBLISHED-5).
 /// Proof   derivations/bevel.cpp.
 template <Elementary T>
 [[nodiscard]] Bevel<T> bevel(const T& height, const T& bevel_height, const T& sphere_offset) {

@@ -100,7 +100,7 @@ template <Field T>
 
 /// The catalogue stone's shape in metres, sharp or with a bevel (as published: the bevel shrinks it).
 /// Domain  0 <= bevel < height, else InvalidArgument.
-template <Ordered T>
+template <Ordered T = double>
 [[nodiscard]] Stone<T> make_stone(const CatalogueStone& entry, const T& bevel = T(0)) {
   return make_stone(metres<T>(entry.width), metres<T>(entry.height), bevel);
 }
