@@ -36,9 +36,9 @@ struct Options {
 void define(CLI::App& app, Options& options) {
   app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   app.add_flag("--list", options.list, "list the claims, and measure nothing");
-  app.add_flag(
-      "--mutants", options.mutants,
-      "list the wrong changes to the source that each claim must catch: claim, its source, file, from, to, separated by tabs");
+  app.add_flag("--mutants", options.mutants,
+               "list the wrong changes to the source that each claim must catch: claim, its source, file, from, to, "
+               "separated by tabs");
   app.add_option("--filter", options.filter,
                  "only claims whose id matches: * and ? as in a shell, several separated by commas")
       ->type_name("GLOB");
