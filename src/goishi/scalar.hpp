@@ -148,8 +148,8 @@ struct Wider<double> {
 
 /// The type in which an algorithm evaluates a short formula before it rounds once to T: float → double → long double;
 /// every other scalar stays as it is. On x86-64 and 64-bit ARM Linux long double has at least 11 more bits than
-/// double; where it has none more (MSVC), results are those of the formula in double, up to some 20 ulp for a moment
-/// near b = h.
+/// double. Where it has none more (MSVC), results are those of the formula in double, and the bounds of SHAPE-1 … 5,
+/// MASS-1 and MASS-2 are not claimed.
 template <class T>
 using wider_t = typename detail::Wider<T>::type;
 

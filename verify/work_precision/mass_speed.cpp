@@ -84,7 +84,7 @@ void make_measured(benchmark::State& state) {
 }
 BENCHMARK(make_measured);
 
-/// What a game would write: everything in double, no wider type. Faster, and up to 5 ulp off on a lens.
+/// What a game would write: everything in double, no wider type. Faster, and less accurate.
 void sharp_formulas_in_double(benchmark::State& state) {
   cycle(state, dimensions(), [](const Dimensions& one) {
     const Moments<double> moments = formula::lens_moments(one.width, one.height);

@@ -120,7 +120,7 @@ struct MassProperties {
 namespace detail {
 
 /// Everything at density 1, evaluated in the next wider type and rounded once. Two things that are only of degree 0 and 2
-/// in the lengths are taken in T, which saves a third of the time: the joint's angle (atan2) and the area.
+/// in the lengths are taken in T, for speed: the joint's angle (atan2) and the area.
 template <Ordered T>
 [[nodiscard]] MassProperties<T> unit_density_properties(const Stone<T>& stone) {
   using Wide = scalar::wider_t<T>;
