@@ -18,16 +18,78 @@ using Quat = Eigen::Quaternion<T>;
 /// How far |q|² of a given attitude may be from 1: 64 ε. Four squared components, each with a few roundings behind it,
 /// stay well below; a quaternion typed with fewer digits does not, and must be normalised by who knows what was meant.
 template <Ordered T>
-inline constexpr T unit_tolerance = T(64) * std::numeric_limits<T>::epsilon();
+[[nodiscard]] constexpr T unit_tolerance() {
+  return T(64) * std::numeric_limits<T>::epsilon();
+}
+
+namespace formula {
+
+/// The rotation by the vector θ: axis θ/|θ|, angle |θ|, as a unit quaternion.
+///
+///     exp(θ) = (cos |θ|/2, θ sin(|θ|/2) / |θ|)
+///
+/// Limits  θ = 0: the identity, without a branch (`scalar::tiny`).
+/// Error   the rotation is off by <= 2 ε |θ| rad (claim FLIGHT-6).   Proof  derivations/rotation.cpp.
+template <Elementary T>
+[[nodiscard]] Quat<T> rotation_exp(const Vec3<T>& theta) {
+  const T angle = scalar::sqrt(T(theta.dot(theta) + scalar::tiny<T>()));
+  const T half = angle / T(2);
+  const T over = scalar::sin(half) / angle;
+  return Quat<T>(scalar::cos(half), T(over * theta.x()), T(over * theta.y()), T(over * theta.z()));
+}
+
+/// The product p q, first q and then p. Component by component: Eigen's own loads as a pair what was just stored one by
+/// one, which stalls.
+template <Field T>
+[[nodiscard]] Quat<T> product(const Quat<T>& p, const Quat<T>& q) {
+  const T pw = p.w(), px = p.x(), py = p.y(), pz = p.z();
+  const T qw = q.w(), qx = q.x(), qy = q.y(), qz = q.z();
+  return Quat<T>(T(pw * qw - px * qx - py * qy - pz * qz), T(pw * qx + px * qw + py * qz - pz * qy),
+                 T(pw * qy - px * qz + py * qw + pz * qx), T(pw * qz + px * qy - py * qx + pz * qw));
+}
+
+/// The rate of the attitude, q̇ = ½ (0, ω_W) q.
+/// Proof  derivations/rotation.cpp.
+template <Field T>
+[[nodiscard]] Quat<T> attitude_rate(const Vec3<T>& w_WB, const Quat<T>& q_WB) {
+  const T half = T(1) / T(2);
+  return formula::product(Quat<T>(T(0), T(half * w_WB.x()), T(half * w_WB.y()), T(half * w_WB.z())), q_WB);
+}
+
+/// A quaternion that round-off has taken off the unit sphere by a relative δ, back to O(δ²): q (3 − |q|²)/2.
+/// Proof  derivations/rotation.cpp.
+template <Field T>
+[[nodiscard]] Quat<T> reunited(const Quat<T>& q) {
+  const T square = scalar::sq(q.w()) + scalar::sq(q.x()) + (scalar::sq(q.y()) + scalar::sq(q.z()));
+  const T scale = (T(3) - square) / T(2);
+  return Quat<T>(T(scale * q.w()), T(scale * q.x()), T(scale * q.y()), T(scale * q.z()));
+}
+
+/// The symmetry axis in W: q_WB Bz, the third column of R_WB.
+/// Proof  derivations/rotation.cpp.
+template <Field T>
+[[nodiscard]] Vec3<T> symmetry_axis(const Quat<T>& q) {
+  return {T(T(2) * (q.x() * q.z() + q.w() * q.y())), T(T(2) * (q.y() * q.z() - q.w() * q.x())),
+          T(T(1) - T(2) * (scalar::sq(q.x()) + scalar::sq(q.y())))};
+}
+
+}  // namespace formula
+
+/// Throws InvalidArgument unless |q| = 1 within `unit_tolerance`.
+template <Ordered T>
+void require_unit(const Quat<T>& q_WB) {
+  const T defect = q_WB.squaredNorm() - T(1);
+  const T tolerance = unit_tolerance<T>();
+  require(defect < tolerance && -tolerance < defect, "attitude", q_WB.norm(),
+          "must be a unit quaternion; |q|² is off by ", defect, ", more than round-off: normalise it first");
+}
 
 /// Rotation matrix of a unit quaternion: R_WB v_B = v_W.
 ///
 /// Domain  |q| = 1 within `unit_tolerance`, else InvalidArgument.
 template <Ordered T>
 [[nodiscard]] Mat3<T> rotation_matrix(const Quat<T>& q_WB) {
-  const T defect = q_WB.squaredNorm() - T(1);
-  require(defect < unit_tolerance<T> && -unit_tolerance<T> < defect, "attitude", q_WB.norm(),
-          "must be a unit quaternion; |q|² is off by ", defect, ", more than round-off: normalise it first");
+  require_unit(q_WB);
   return q_WB.toRotationMatrix();
 }
 

@@ -126,6 +126,21 @@ template <class T>
 [[nodiscard]] constexpr T unset() {
   if constexpr (std::numeric_limits<T>::has_quiet_NaN) {
     return std::numeric_limits<T>::quiet_NaN();
+  } else if constexpr (detail::SimdBatch<T>) {
+    return T(std::numeric_limits<typename T::value_type>::quiet_NaN());
+  } else {
+    return T(0);
+  }
+}
+
+/// The least normal number of T, added under a root so that 0/0 becomes its limit without a branch. Zero where T has
+/// none (symbols, intervals): there the limit has to be taken by who asks for it.
+template <class T>
+[[nodiscard]] constexpr T tiny() {
+  if constexpr (std::numeric_limits<T>::is_specialized) {
+    return std::numeric_limits<T>::min();
+  } else if constexpr (detail::SimdBatch<T>) {
+    return T(std::numeric_limits<typename T::value_type>::min());
   } else {
     return T(0);
   }

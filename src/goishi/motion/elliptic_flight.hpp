@@ -1,0 +1,196 @@
+#pragma once
+/// \file
+/// Free flight of any rigid body, exactly: Jacobi's solution, without a time step. A stone needs `free_flight` only.
+
+#include <cmath>
+#include <goishi/motion/elliptic.hpp>
+#include <goishi/motion/free_flight.hpp>
+#include <goishi/motion/state.hpp>
+#include <goishi/rotation.hpp>
+#include <goishi/scalar.hpp>
+#include <limits>
+#include <utility>
+
+namespace goishi {
+
+namespace detail {
+
+/// The frame F in which Jacobi's solution is written: axes along ±Bx, ±By, ±Bz, right-handed; the momentum circles
+/// about the third axis and is positive on it; the second has the middle moment.
+template <class T>
+struct JacobiFrame {
+  Mat3<T> R_BF;
+  Vec3<T> moments;  // I_a, I_b, I_c, along the axes of F
+  Vec3<T> L_F;
+};
+
+template <Ordered T>
+[[nodiscard]] JacobiFrame<T> jacobi_frame(const Vec3<T>& moments, const Vec3<T>& L_B) {
+  // Indices of the least, middle and greatest moment.
+  int a = 0, b = 1, c = 2;
+  const auto sort = [&](int& i, int& j) {
+    if (moments[j] < moments[i]) {
+      std::swap(i, j);
+    }
+  };
+  sort(a, b);
+  sort(b, c);
+  sort(a, b);
+  // L circles about the greatest axis if 2 E I_b < L², else about the least.
+  const T& I_a = moments[a];
+  const T& I_b = moments[b];
+  const T& I_c = moments[c];
+  if (!(scalar::sq(L_B[a]) * I_c * (I_b - I_a) < scalar::sq(L_B[c]) * I_a * (I_c - I_b))) {
+    std::swap(a, c);
+  }
+  Vec3<T> f1 = Vec3<T>::Zero(), f3 = Vec3<T>::Zero();
+  f1[a] = T(1);
+  f3[c] = L_B[c] < T(0) ? T(-1) : T(1);
+  JacobiFrame<T> frame;
+  frame.R_BF << f1, f3.cross(f1), f3;
+  frame.moments = {moments[a], moments[b], moments[c]};
+  frame.L_F = frame.R_BF.transpose() * L_B;
+  return frame;
+}
+
+/// The shortest rotation that takes a unit vector to Fz.   Domain  z >= 0.
+template <Ordered T>
+[[nodiscard]] Quat<T> shortest_to_z(const Vec3<T>& unit) {
+  return Quat<T>(T(T(1) + unit.z()), unit.y(), T(-unit.x()), T(0)).normalized();
+}
+
+/// The third kind of integral, Π(n; φ) = ∫₀^φ dφ / ((1 − n sin²φ) √(1 − m sin²φ)), and the first, F(φ).
+template <class T>
+struct IncompleteIntegrals {
+  T first, third;
+};
+
+/// Domain  |φ| <= π/2, given by its sine and cosine; n <= 0; m₁ = 1 − m > 0.
+template <Ordered T>
+[[nodiscard]] IncompleteIntegrals<T> incomplete_integrals(const T& sine, const T& cosine, const T& m1, const T& n) {
+  const T s2 = scalar::sq(sine), c2 = scalar::sq(cosine);
+  const T delta2 = c2 + m1 * s2;
+  const T first = sine * elliptic::carlson_f<T>(c2, delta2, T(1));
+  return {.first = first,
+          .third = T(first + n * sine * s2 / T(3) * elliptic::carlson_j<T>(c2, delta2, T(1), T(T(1) - n * s2)))};
+}
+
+/// The attitude of an asymmetric body after a time t. With I_b strictly between I_a and I_c, L_c > 0:
+///
+///     L_F(t) = (A cn u, B sn u, C dn u),   u = u₀ + λ t,   q(t) = q(0) S₀⁻¹ exp(ẑ ψ) S_t
+///
+/// S the shortest rotation from L_F to ẑ, and ψ = |L| t / I_c + (|L| B)/(C A) ΔΠ(n) − Δatan2(L_b, L_a): the turn about L,
+/// whose rate is (2E + |L| L_c/I_c)/(|L| + L_c).
+template <Ordered T>
+[[nodiscard]] Quat<T> asymmetric_rotation(const Quat<T>& q_WB, const JacobiFrame<T>& frame, const T& t) {
+  const T& I_a = frame.moments.x();
+  const T& I_b = frame.moments.y();
+  const T& I_c = frame.moments.z();
+  const T a0 = frame.L_F.x(), b0 = frame.L_F.y(), c0 = frame.L_F.z();
+  const T ratio2 = I_b * (I_a - I_c) / (I_a * (I_b - I_c));  // B²/A²
+  const T kappa = I_c * (I_b - I_a) / (I_b * (I_c - I_a));
+  const T A2 = scalar::sq(a0) + scalar::sq(b0) / ratio2;
+  const T C2 = scalar::sq(c0) + kappa * scalar::sq(b0);
+  const T ratio = scalar::sqrt(ratio2);
+  const T A = scalar::sqrt(A2), C = scalar::sqrt(C2);
+  const T B = ratio * A;
+  const T size = frame.L_F.norm();
+  // 1 − m, as a difference of what is given: what it loses near the separatrix, nobody has.
+  const T nu = I_c * (I_b - I_a) / (I_a * (I_c - I_b));
+  const T excess = (scalar::sq(c0) - nu * scalar::sq(a0)) / C2;
+  const T m1 = elliptic::detail::larger(excess, std::numeric_limits<T>::min());
+  const T n = I_c * (I_b - I_a) / (I_a * (I_b - I_c));
+  const elliptic::JacobiFunctions<T> jacobi(m1);
+  const T K = jacobi.quarter_period();
+
+  // The phase at the start: φ₀ within a quarter turn of 0 or π. `half_turns` are those of φ − φ₀.
+  const T hypotenuse = scalar::sqrt(T(scalar::sq(a0) + scalar::sq(b0) / ratio2));
+  const T sign = a0 < T(0) ? T(-1) : T(1);
+  const T sine0 = T(0) < hypotenuse ? T(sign * b0 / ratio / hypotenuse) : T(0);
+  const T cosine0 = T(0) < hypotenuse ? T(sign * a0 / hypotenuse) : T(1);
+  const IncompleteIntegrals<T> start = incomplete_integrals(sine0, cosine0, m1, n);
+  const T rate = C / ratio * ((I_c - I_a) / (I_a * I_c));
+  const T u = start.first + rate * t;
+  using std::floor;
+  const T half_turns = T(floor(T(u / (T(2) * K) + T(1) / T(2))));
+  const elliptic::Jacobi<T> now = jacobi(T(u - T(2) * K * half_turns));
+  const IncompleteIntegrals<T> end = incomplete_integrals(now.sn, now.cn, m1, n);
+  const T half_turn_integral = T(2) * incomplete_integrals<T>(T(1), T(0), m1, n).third;
+
+  const T third = end.third - start.third + half_turns * half_turn_integral;
+  const T longitude = scalar::atan2(T(ratio * now.sn), now.cn) - scalar::atan2(T(ratio * sine0), cosine0) +
+                      half_turns * scalar::pi<T>();
+  const T psi = size * t / I_c + size / C * ratio * third - longitude;
+
+  const T half = half_turns / T(2);
+  const T flip = (half - T(floor(half)) < T(1) / T(4)) ? sign : T(-sign);
+  const Vec3<T> end_L(T(flip * A * now.cn), T(flip * B * now.sn), T(C * now.dn));
+  const Quat<T> q_BF(frame.R_BF);
+  const Quat<T> turn(scalar::cos(T(psi / T(2))), T(0), T(0), scalar::sin(T(psi / T(2))));
+  const Quat<T> start_S = shortest_to_z(Vec3<T>(frame.L_F / size));
+  const Quat<T> end_S = shortest_to_z(Vec3<T>(end_L / end_L.norm()));
+  return q_WB * (q_BF * start_S.conjugate() * turn * end_S * q_BF.conjugate());
+}
+
+/// The attitude of a body two of whose moments are equal, whatever the axis.
+template <Ordered T>
+[[nodiscard]] Quat<T> symmetric_rotation(const State<T>& state, const Vec3<T>& moments, int axis, const T& t) {
+  // Cyclic permutation of the axes that brings `axis` to z.
+  Mat3<T> R_BF = Mat3<T>::Zero();
+  for (int i = 0; i < 3; ++i) {
+    R_BF((axis + 1 + i) % 3, i) = T(1);
+  }
+  const Quat<T> q_BF(R_BF);
+  const Quat<T> q_WF = state.q_WB * q_BF;
+  const TopRates<T> rates = formula::top_rates<T>({.axial = moments[axis], .transverse = moments[(axis + 1) % 3]});
+  return formula::free_rotation(q_WF, state.L_W, axial_momentum(q_WF, state.L_W, rates), rates, t) * q_BF.conjugate();
+}
+
+template <Ordered T>
+[[nodiscard]] Quat<T> any_rotation(const State<T>& state, const Vec3<T>& moments, const T& t) {
+  const auto equal = [&](int i, int j) { return moments[i] <= moments[j] && moments[j] <= moments[i]; };
+  for (const int axis : {2, 0, 1}) {
+    if (equal((axis + 1) % 3, (axis + 2) % 3)) {
+      return symmetric_rotation(state, moments, axis, t);
+    }
+  }
+  // In the next wider type: the phases of a nearly round body with its momentum across the odd axis, and those near the
+  // separatrix, are differences of large numbers.
+  using Wide = scalar::wider_t<T>;
+  const Quat<Wide> q = formula::reunited(Quat<Wide>(state.q_WB.template cast<Wide>()));
+  const Vec3<Wide> L_B = formula::in_body(q, Vec3<Wide>(state.L_W.template cast<Wide>()));
+  if (!(Wide(0) < L_B.squaredNorm())) {
+    return state.q_WB;
+  }
+  const auto frame = jacobi_frame(Vec3<Wide>(moments.template cast<Wide>()), L_B);
+  return asymmetric_rotation(q, frame, Wide(t)).template cast<T>();
+}
+
+}  // namespace detail
+
+/// The state of any rigid body after it has flown freely for a time t: no time step, whatever the moments.
+///
+/// Domain  a finite state with a unit attitude; a body of `make_rigid_body`; finite gravity and t, negative ones too, that does
+///         not overflow; else InvalidArgument.
+/// Limits  two equal moments: the symmetric top (`free_flight`).
+/// Error   attitude <= 4 ε (1 + |L| t/I_least) (ELLIPTIC-3); near the separatrix (the flip about the middle axis) any
+///         error of the start grows exponentially, but none is added.
+/// Source  Jacobi 1850; Odeint references.
+template <Ordered T>
+[[nodiscard]] State<T> elliptic_flight(const State<T>& state, const RigidBody<T>& body, const Vec3<T>& gravity,
+                                       const T& t, Freedom freedom = Freedom::both) {
+  require_state(state);
+  const RigidBody<T> checked = make_rigid_body(body.mass, body.moments);
+  require(scalar::is_finite(T(gravity.x() + gravity.y() + gravity.z())), "gravity", gravity.transpose(),
+          "must be finite");
+  require(scalar::is_finite(t), "time", t, "must be finite");
+  State<T> result = freedom == Freedom::angular ? state : formula::ballistic_flight(state, gravity, t);
+  if (freedom != Freedom::linear) {
+    result.q_WB = formula::reunited(detail::any_rotation(state, checked.moments, t));
+  }
+  require(T(0) < result.q_WB.squaredNorm() && scalar::is_finite(T(result.p_WB.sum())), "time", t,
+          "must not take the body farther than its arithmetic can count");
+  return result;
+}
+
+}  // namespace goishi
