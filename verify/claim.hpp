@@ -29,11 +29,15 @@ struct Mutant {
   std::string to;
 };
 
+/// How a curve of a plot looks: in a colour of its own; thin, grey and dashed, for what is not ours; its points as stars.
+enum class Look { usual, foreign, star };
+
 /// A curve of a plot that a measurement leaves for the report.
 struct Series {
   std::string name;
   std::vector<std::pair<double, double>> points;  // (x, y)
   bool line = true;                               // else markers only
+  Look look = Look::usual;
 };
 
 struct Plot {
@@ -44,6 +48,7 @@ struct Plot {
   bool log_y = false;
   bool equal_scale = false;  // same scale on both axes, for shapes
   std::vector<Series> series;
+  bool labelled = false;  // a larger picture, the names beside the ends of the curves in place of a legend
 };
 
 /// A further figure that people want to read beside the error: "volume V' = 2.5333626 cm³, right is 1.8505405 cm³".

@@ -12,6 +12,7 @@
 #include "verify/oracles/quadrature.hpp"
 #include "verify/report/report.hpp"
 #include "verify/run.hpp"
+#include "verify/work_precision/command.hpp"
 
 namespace {
 
@@ -31,6 +32,7 @@ struct Options {
   std::string report_folder;
   std::string json_file;
   std::string junit_file;
+  bool no_bench = false;
 };
 
 void define(CLI::App& app, Options& options) {
@@ -53,10 +55,13 @@ void define(CLI::App& app, Options& options) {
       ->check(CLI::Range(1U, 256U))
       ->capture_default_str()
       ->type_name("N");
-  app.add_option("--report", options.report_folder, "write report.html, report.json and junit.xml into this folder")
+  app.add_option("--report", options.report_folder,
+                 "write report.html, report.json and junit.xml into this folder; in the full tier the page also shows "
+                 "run time against error (see bench), and work_precision.csv has its points")
       ->type_name("DIR");
   app.add_option("--json", options.json_file, "write the report as JSON")->type_name("FILE");
   app.add_option("--junit", options.junit_file, "write the report as JUnit XML")->type_name("FILE");
+  app.add_flag("--no-bench", options.no_bench, "leave run time against error out of the full report");
   app.footer(
       "Exit status: 0 all claims hold, 1 a claim failed, 2 bad usage.\n"
       "Example: goishi-verify --tier full --filter 'GSL-*,MASS-*' --report build/report");
@@ -103,6 +108,18 @@ void require_folders(const Options& options) {
   }
 }
 
+void write_report(const Run& run, const std::filesystem::path& folder, bool with_bench) {
+  std::vector<Section> sections;
+  if (with_bench) {
+    const bench::Bench measured = bench::run_bench_for_report();
+    sections.push_back(bench::page_section(measured));
+    write_file(folder / bench::csv_name, bench::csv_report(measured));
+  }
+  write_file(folder / "report.html", html_report(run, sections));
+  write_file(folder / "report.json", json_report(run));
+  write_file(folder / "junit.xml", junit_report(run));
+}
+
 int verify(const Options& options) {
   std::vector<Claim> claims = all_claims();
   std::erase_if(claims, [&](const Claim& claim) { return !matches(claim.id, options.filter); });
@@ -130,10 +147,7 @@ int verify(const Options& options) {
   }
   fmt::print("{}", text_summary(run));
   if (!options.report_folder.empty()) {
-    const std::filesystem::path folder = options.report_folder;
-    write_file(folder / "report.html", html_report(run));
-    write_file(folder / "report.json", json_report(run));
-    write_file(folder / "junit.xml", junit_report(run));
+    write_report(run, options.report_folder, tier == Tier::full && !options.no_bench);
   }
   if (!options.json_file.empty()) {
     write_file(options.json_file, json_report(run));
@@ -150,9 +164,15 @@ int main(int argc, char** argv) {
   CLI::App app("Verifies Goishi: each claim's production function against an oracle that shares no formula with it.",
                "goishi-verify");
   Options options;
+  bench::BenchOptions bench_options;
   define(app, options);
+  const CLI::App* const bench_command = bench::define_bench(app, bench_options);
   try {
     app.parse(argc, argv);
+    if (bench_command->parsed()) {
+      bench::run_bench_command(bench_options);
+      return all_hold;
+    }
     return verify(options);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {

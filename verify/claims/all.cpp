@@ -7,13 +7,20 @@ namespace goishi::verify {
 
 std::vector<Claim> all_claims() {
   std::vector<Claim> all;
-  const std::pair<const char*, std::vector<Claim> (*)()> subjects[] = {{"claims/accuracy.cpp", accuracy_claims},
-                                                                       {"claims/enclosure.cpp", enclosure_claims},
-                                                                       {"claims/gsl.cpp", gsl_claims},
-                                                                       {"claims/laws.cpp", law_claims},
-                                                                       {"claims/tensor.cpp", tensor_claims},
-                                                                       {"claims/table.cpp", table_claims},
-                                                                       {"claims/published.cpp", published_claims}};
+  const std::pair<const char*, std::vector<Claim> (*)()> subjects[] = {
+      {"claims/accuracy.cpp", accuracy_claims},
+      {"claims/enclosure.cpp", enclosure_claims},
+      {"claims/gsl.cpp", gsl_claims},
+      {"claims/laws.cpp", law_claims},
+      {"claims/tensor.cpp", tensor_claims},
+      {"claims/table.cpp", table_claims},
+      {"claims/published.cpp", published_claims},
+      {"claims/flight.cpp", flight_claims},
+      {"claims/elliptic.cpp", elliptic_claims},
+      {"claims/motion_laws.cpp", motion_law_claims},
+      {"claims/order.cpp", order_claims},
+      {"claims/cases.cpp", case_claims},
+      {"claims/published_motion.cpp", published_motion_claims}};
   for (const auto& [source, subject] : subjects) {
     std::vector<Claim> claims = subject();
     for (Claim& claim : claims) {

@@ -15,6 +15,12 @@ namespace goishi::verify {
 [[nodiscard]] std::vector<Claim> tensor_claims();     // TENSOR: frames, points, principal axes
 [[nodiscard]] std::vector<Claim> table_claims();      // TABLE: the generated inertia table, certified
 [[nodiscard]] std::vector<Claim> published_claims();  // PUBLISHED: the talk's numbers, reproduced and refuted
+[[nodiscard]] std::vector<Claim> flight_claims();  // FLIGHT, BATCH: the exact flight against Odeint, and what it keeps
+[[nodiscard]] std::vector<Claim> elliptic_claims();          // ELLIPTIC: the exact flight of an asymmetric body
+[[nodiscard]] std::vector<Claim> motion_law_claims();        // MOTION: time reversal, rotated worlds, scaling, frames
+[[nodiscard]] std::vector<Claim> order_claims();             // ORDER: the steppers' orders, drift, divergence
+[[nodiscard]] std::vector<Claim> case_claims();              // CASE: published cases of rigid-body motion
+[[nodiscard]] std::vector<Claim> published_motion_claims();  // PUBLISHED: the talk's loops, and how far they are off
 
 [[nodiscard]] std::vector<Claim> all_claims();
 

@@ -14,10 +14,20 @@ namespace {
 constexpr double usual_height = 300;
 constexpr double least_height = 120;
 constexpr double greatest_height = 460;
+constexpr double labelled_height = 460;
 
 std::string line(double x1, double y1, double x2, double y2, std::string_view opacity) {
   return fmt::format("<path d=\"M{} {}L{} {}\" stroke=\"currentColor\" stroke-opacity=\"{}\"/>\n", number(x1),
                      number(y1), number(x2), number(y2), opacity);
+}
+
+/// To the right of the frame.
+double margin_of(const Plot& plot) {
+  double widest = 0;
+  for (const Series& series : plot.series) {
+    widest = std::max(widest, text_width(series.name));
+  }
+  return plot.labelled ? leader_room + widest : 2 * edge;
 }
 
 struct Reason {
@@ -38,6 +48,10 @@ std::string left_out_sentence(const std::vector<Reason>& reasons) {
 }
 
 }  // namespace
+
+double width_of(const Plot& plot) {
+  return plot.labelled ? 960 : 640;
+}
 
 std::string number(double value) {
   std::string text = fmt::format("{:.2f}", value);
@@ -75,7 +89,11 @@ Place place_of(const Plot& plot, const std::pair<double, double>& point) {
   return on_x == Place::drawn ? place(point.second, plot.log_y) : on_x;
 }
 
-Canvas::Canvas(const Plot& plot, double top) : top_(top), height_(usual_height), left_(edge) {
+Canvas::Canvas(const Plot& plot, double top)
+    : top_(top),
+      height_(plot.labelled ? labelled_height : usual_height),
+      left_(edge),
+      right_(width_of(plot) - margin_of(plot)) {
   std::vector<double> xs;
   std::vector<double> ys;
   std::vector<Reason> reasons = {{"not finite"}, {"beyond ±10³⁰⁰"}, {"not positive on a logarithmic axis"}};
@@ -161,7 +179,7 @@ void Canvas::place_x_ticks() {
       if (!tick.label.empty()) {
         const double half = text_width(tick.label) / 2;
         const double at = left() + tick.at * across();
-        if (at - half < end + letter || at + half > width) {
+        if (at - half < end + letter || at + half > right_ + 2 * edge) {
           return false;
         }
         end = at + half;

@@ -13,10 +13,12 @@
 
 namespace goishi::verify::picture {
 
-inline constexpr double width = 640;
 inline constexpr double edge = 10;
 inline constexpr double line_height = 18;
 inline constexpr double letter = 6.8;  // mean width of a letter at font size 12, on the safe side
+
+/// Of the whole picture.
+[[nodiscard]] double width_of(const Plot& plot);
 
 /// Two decimals at most, no "-0".
 [[nodiscard]] std::string number(double value);
@@ -29,13 +31,16 @@ inline constexpr double letter = 6.8;  // mean width of a letter at font size 12
 enum class Place { drawn, not_finite, too_large, not_positive };
 [[nodiscard]] Place place_of(const Plot& plot, const std::pair<double, double>& point);
 
+/// Between the frame and the names beside it, where the plot is `labelled`.
+inline constexpr double leader_room = 48;
+
 class Canvas {
  public:
   /// `top` is where the frame begins.
   Canvas(const Plot& plot, double top);
 
   [[nodiscard]] double left() const { return left_; }
-  [[nodiscard]] double right() const { return width - 2 * edge; }
+  [[nodiscard]] double right() const { return right_; }
   [[nodiscard]] double top() const { return top_; }
   [[nodiscard]] double bottom() const { return top_ + height_; }
   [[nodiscard]] double x(double value) const { return left() + x_.at(value) * across(); }
@@ -57,6 +62,7 @@ class Canvas {
   double top_;
   double height_;
   double left_;
+  double right_;
   bool empty_;
   std::string left_out_;
   Axis x_;

@@ -12,7 +12,7 @@ namespace goishi::verify {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 14> titles = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 19> titles = {{
     {"SHAPE", "Shape of lens and bevel"},
     {"MASS", "Volume, area and moments of inertia"},
     {"GSL", "Against numerical integration of the solid"},
@@ -22,7 +22,12 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 14> titles =
     {"TABLE", "The inertia table and the catalogue of sizes"},
     {"PUBLISHED", "What was published, and what is right"},
     {"MESH", "Meshes"},
-    {"MOTION", "Free flight and steppers"},
+    {"FLIGHT", "Free flight against Odeint"},
+    {"ELLIPTIC", "Free flight without a symmetry axis"},
+    {"BATCH", "Many stones at once"},
+    {"MOTION", "Laws of free motion"},
+    {"ORDER", "Steppers: order, drift, divergence"},
+    {"CASE", "Published cases of rigid-body motion"},
     {"BOARD", "The board"},
     {"CONTACT", "Contact"},
     {"IMPACT", "Impact and friction"},

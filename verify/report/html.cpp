@@ -19,28 +19,40 @@ constexpr std::string_view emblem =
     "<path d=\"M3 15q0-1 1-1.6a35 35 0 0 1 42 0q1 .6 1 1.6t-1 1.6a35 35 0 0 1-42 0q-1-.6-1-1.6z\" "
     "class=\"shell\" stroke=\"currentColor\" stroke-width=\"1.5\"/></svg>";
 
-}  // namespace
-
-std::string html_report(const Run& run) {
-  const bool good = run.failures() == 0 && !run.results.empty();
-  const std::string verdict = xml(verdict_line(run));
+std::string head(const std::string& title) {
   std::string out =
       "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\" "
       "xml:lang=\"en\">\n<head>\n"
       "<meta charset=\"utf-8\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n";
-  out += fmt::format("<title>{} – Goishi verification</title>\n<style>\n", verdict);
+  out += fmt::format("<title>{} – Goishi verification</title>\n<style>\n", title);
   out += page::style();
   out += fmt::format("@media screen and (prefers-color-scheme: dark) {{ {} }}\n", svg_dark_colours());
   out += "</style>\n</head>\n<body>\n<header>\n";
-  out += emblem;
-  out += fmt::format(
-      "\n<h1>Goishi <span>shape and mass of Go stones, verified</span></h1>\n"
-      "<p class=\"verdict {}\">{} {}</p>\n",
-      good ? "good" : "bad", page::mark(good), verdict);
-  out += page::failures(run) + page::stamp(run) + "</header>\n<main>\n" + page::how_to_read() + page::overview(run) +
-         page::details(run);
-  return out + "</main>\n</body>\n</html>\n";
+  return out.append(emblem) + "\n<h1>Goishi <span>shape and mass of Go stones, verified</span></h1>\n";
+}
+
+constexpr std::string_view foot = "</main>\n</body>\n</html>\n";
+
+}  // namespace
+
+std::string html_report(const Run& run, const std::vector<Section>& sections) {
+  const bool good = run.failures() == 0 && !run.results.empty();
+  const std::string verdict = xml(verdict_line(run));
+  std::string out = head(verdict);
+  out += fmt::format("<p class=\"verdict {}\">{} {}</p>\n", good ? "good" : "bad", page::mark(good), verdict);
+  out += page::failures(run) + page::stamp(run.stamp, run.seconds, page::Seed::shown) + "</header>\n<main>\n" +
+         page::how_to_read() + page::overview(run);
+  for (const Section& section : sections) {
+    out += page::section(section);
+  }
+  return out.append(page::details(run)).append(foot);
+}
+
+std::string html_page(const Section& section, const Stamp& stamp, double seconds) {
+  std::string out = head(xml(section.title));
+  out += page::stamp(stamp, seconds, page::Seed::hidden) + "</header>\n<main>\n" + page::section(section);
+  return out.append(foot);
 }
 
 }  // namespace goishi::verify

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "verify/report/report.hpp"
 #include "verify/run.hpp"
 
 namespace goishi::verify::page {
@@ -25,10 +26,12 @@ struct Judged {
 /// A bar on a logarithmic scale from 1 to the greatest slack that is accepted.
 [[nodiscard]] std::string slack_bar(const Result& result);
 
-[[nodiscard]] std::string stamp(const Run& run);
+enum class Seed { shown, hidden };
+[[nodiscard]] std::string stamp(const Stamp& stamp, double seconds, Seed seed);
 [[nodiscard]] std::string failures(const Run& run);
 [[nodiscard]] std::string how_to_read();
 [[nodiscard]] std::string overview(const Run& run);
 [[nodiscard]] std::string details(const Run& run);
+[[nodiscard]] std::string section(const Section& section);
 
 }  // namespace goishi::verify::page

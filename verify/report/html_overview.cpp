@@ -40,17 +40,18 @@ std::string slack_bar(const Result& result) {
   return out + "</svg>";
 }
 
-std::string stamp(const Run& run) {
-  const Stamp& stamp = run.stamp;
+std::string stamp(const Stamp& stamp, double seconds, Seed seed) {
   std::string out = "<ul class=\"stamp\">\n";
   const auto entry = [&](std::string_view name, std::string_view value) {
     out += fmt::format("<li><span>{}</span> {}</li>\n", name, xml(value));
   };
   entry("Commit", stamp.commit);
   entry("Time", stamp.time);
-  entry("Seed", fmt::format("{}", stamp.seed));
+  if (seed == Seed::shown) {
+    entry("Seed", fmt::format("{}", stamp.seed));
+  }
   entry("Tier", to_string(stamp.tier));
-  entry("Took", duration(run.seconds));
+  entry("Took", duration(seconds));
   entry("Machine", stamp.machine);
   entry("System", stamp.system);
   entry("Compiler", stamp.compiler);

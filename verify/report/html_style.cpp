@@ -90,6 +90,15 @@ ins { color: var(--bad); text-decoration: none; }
 .plots { display: flex; flex-wrap: wrap; gap: 1rem; margin-top: 1rem; }
 figure { margin: 0 0 0 -10px; max-width: 100%; }
 .plot { display: block; max-width: 100%; height: auto; }
+.study h3 { margin: 2rem 0 0.5rem; }
+.study p { margin: 0 0 0.75rem; max-width: 52rem; color: var(--soft); }
+.study figure { margin-top: 1rem; }
+.scroll { overflow-x: auto; }
+.plain { border-collapse: collapse; font-size: 0.875rem; line-height: 1.4; }
+.plain caption { padding-bottom: 0.2rem; color: var(--soft); text-align: left; }
+.plain th, .plain td { padding: 0.2rem 1.25rem 0.2rem 0; border-top: 1px solid var(--line); text-align: left;
+  vertical-align: baseline; font-weight: 400; font-variant-numeric: tabular-nums; }
+.plain thead th { border: 0; color: var(--soft); font-size: 0.8125rem; }
 
 @media screen and (max-width: 54rem) {
   body { padding: 1.25rem 0.9rem 3rem; }

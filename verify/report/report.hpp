@@ -3,7 +3,9 @@
 /// The report of a run, for people and for programs.
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "verify/run.hpp"
 
@@ -18,8 +20,32 @@ namespace goishi::verify {
 
 [[nodiscard]] std::string junit_report(const Run& run);
 
-/// One self-contained page (polyglot XHTML5, inline SVG and CSS, no script needed).
-[[nodiscard]] std::string html_report(const Run& run);
+/// Numbers and words in rows, for a page. The first cell of a row is its head.
+struct Table {
+  struct Row {
+    std::vector<std::string> cells;
+    std::optional<bool> holds;  // a verdict in the last column
+  };
+  std::string caption;
+  std::vector<std::string> head;
+  std::vector<Row> rows;
+};
+
+/// What a page shows beside the claims. All text is plain.
+struct Section {
+  std::string title;
+  std::vector<std::string> paragraphs;
+  std::vector<Table> tables;
+  std::vector<Plot> plots;
+  std::vector<Section> parts;
+};
+
+/// One self-contained page (polyglot XHTML5, inline SVG and CSS, no script needed). Sections stand between the overview
+/// and the details.
+[[nodiscard]] std::string html_report(const Run& run, const std::vector<Section>& sections = {});
+
+/// A page of one section alone, with the same stamp and style.
+[[nodiscard]] std::string html_page(const Section& section, const Stamp& stamp, double seconds);
 
 /// Writes to a temporary name, then renames: nothing is half-written. Throws std::runtime_error with one line.
 void write_file(const std::filesystem::path& path, const std::string& content);

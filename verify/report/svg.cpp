@@ -3,17 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "verify/report/canvas.hpp"
 #include "verify/report/escape.hpp"
+#include "verify/report/labels.hpp"
+#include "verify/report/look.hpp"
 #include "verify/report/number.hpp"
 
 namespace goishi::verify {
 
 namespace {
 
+using picture::Appearance;
 using picture::Canvas;
 using picture::edge;
 using picture::line_height;
@@ -21,43 +23,7 @@ using picture::number;
 using picture::Place;
 using picture::text_at;
 
-// Each pair is at least 0.149 apart in Oklab, seen normally and with protanopia, deuteranopia and
-// tritanopia (Machado et al. 2009, severity 1), and has contrast 3 with the page.
-constexpr std::array<std::string_view, 7> colours = {"#283688", "#bb0809", "#026b71", "#c67cba",
-                                                     "#0d6aff", "#83a000", "#3b0c00"};
-constexpr std::string_view dark_colours =
-    ".curve0{color:#6f8eff}.curve1{color:#b6380e}.curve2{color:#a0cdff}.curve3{color:#e37e7a}"
-    ".curve4{color:#635c97}.curve5{color:#efca00}.curve6{color:#feffd7}";
-
-// Around (0, 0); lower case, so that a marker is one move and this path.
-constexpr std::array<std::string_view, 8> markers = {
-    "m-3.5 0a3.5 3.5 0 1 0 7 0a3.5 3.5 0 1 0 -7 0z",                 // circle
-    "m-3.2 -3.2h6.4v6.4h-6.4z",                                      // square
-    "m0 -4.4l4.2 7.2h-8.4z",                                         // triangle
-    "m0 -4.8l4 4.8l-4 4.8l-4 -4.8z",                                 // diamond
-    "m0 4.4l4.2 -7.2h-8.4z",                                         // triangle upside down
-    "m-1.3 -4.2h2.6v2.9h2.9v2.6h-2.9v2.9h-2.6v-2.9h-2.9v-2.6h2.9z",  // plus
-    "m-4.2 -2.4l1.8 -1.8l2.4 2.4l2.4 -2.4l1.8 1.8l-2.4 2.4l2.4 2.4l-1.8 1.8l-2.4 -2.4l-2.4 "
-    "2.4l-1.8 "
-    "-1.8l2.4 -2.4z",            // cross
-    "m-4.4 -2.2h8.8v4.4h-8.8z",  // bar
-};
 constexpr std::size_t title_columns = 78;
-constexpr std::array<std::string_view, 3> dashes = {"", "6 3", "2 3"};
-
-/// How the i-th curve looks: no two of the first 21 are alike.
-std::string group_attributes(std::size_t i) {
-  return fmt::format("class=\"curve{}\" color=\"{}\"", i % colours.size(), colours[i % colours.size()]);
-}
-
-std::string stroke(std::size_t i) {
-  const std::string_view dash = dashes[i / colours.size() % dashes.size()];
-  return fmt::format(
-      "fill=\"none\" stroke=\"currentColor\" stroke-width=\"1.8\" stroke-linejoin=\"round\" "
-      "stroke-linecap=\"round\"{}",
-      dash.empty() ? "" : fmt::format(" stroke-dasharray=\"{}\"", dash));
-}
-
 constexpr std::string_view dot_stroke =
     "fill=\"none\" stroke=\"currentColor\" stroke-width=\"3\" stroke-linecap=\"round\"";
 
@@ -67,6 +33,8 @@ bool has_markers(const Series& series) {
 
 std::string draw_series(const Plot& plot, const Canvas& canvas, std::size_t i) {
   const Series& series = plot.series[i];
+  const Appearance look = picture::appearance(plot, i);
+  const std::string fill = series.look == Look::foreign ? " " + look.marker_fill : "";
   std::string curve;
   std::string dots;
   std::string marked;
@@ -80,16 +48,14 @@ std::string draw_series(const Plot& plot, const Canvas& canvas, std::size_t i) {
     const std::string at = fmt::format("{} {}", number(canvas.x(point.first)), number(canvas.y(point.second)));
     curve += fmt::format("{}{}{}", pen_down ? 'L' : 'M', at, pen_down ? "" : "h0");
     dots += fmt::format("M{}h0", at);
-    marked += fmt::format("<path class=\"point\" d=\"M{}{}\"><title>{}: {}, {}</title></path>\n", at,
-                          markers[i % markers.size()], xml(series.name), plain_number(point.first, 6),
-                          plain_number(point.second, 6));
+    marked += fmt::format("<path class=\"point\" d=\"M{}{}\"{}><title>{}: {}, {}</title></path>\n", at, look.marker,
+                          fill, xml(series.name), plain_number(point.first, 6), plain_number(point.second, 6));
     pen_down = true;
     ++count;
   }
-  std::string out =
-      fmt::format("<g data-series=\"{}\" data-points=\"{}\" {}>\n", xml(series.name), count, group_attributes(i));
+  std::string out = fmt::format("<g data-series=\"{}\" data-points=\"{}\" {}>\n", xml(series.name), count, look.group);
   if (series.line && count > 1) {
-    out += fmt::format("<path d=\"{}\" {}/>\n", curve, stroke(i));
+    out += fmt::format("<path d=\"{}\" {}/>\n", curve, look.stroke);
   }
   if (has_markers(series)) {
     out += marked;
@@ -100,14 +66,15 @@ std::string draw_series(const Plot& plot, const Canvas& canvas, std::size_t i) {
 }
 
 /// The sample of the i-th curve with its name.
-std::string legend_entry(const Series& series, std::size_t i, double x, double y, double room) {
-  std::string out = fmt::format("<g {}>", group_attributes(i));
+std::string legend_entry(const Plot& plot, std::size_t i, double x, double y, double room) {
+  const Series& series = plot.series[i];
+  const Appearance look = picture::appearance(plot, i);
+  std::string out = fmt::format("<g {}>", look.group);
   if (series.line) {
-    out += fmt::format("<path d=\"M{} {}h24\" {}/>", number(x), number(y - 4), stroke(i));
+    out += fmt::format("<path d=\"M{} {}h24\" {}/>", number(x), number(y - 4), look.stroke);
   }
   if (has_markers(series)) {
-    out += fmt::format("<path fill=\"currentColor\" d=\"M{} {}{}\"/>", number(x + 12), number(y - 4),
-                       markers[i % markers.size()]);
+    out += fmt::format("<path {} d=\"M{} {}{}\"/>", look.marker_fill, number(x + 12), number(y - 4), look.marker);
   } else if (!series.line) {
     out += fmt::format("<path d=\"M{} {}h0\" {}/>", number(x + 12), number(y - 4), dot_stroke);
   }
@@ -120,7 +87,7 @@ std::string legend(const Plot& plot, double left, double& y) {
   for (const Series& series : plot.series) {
     widest = std::max(widest, picture::text_width(series.name));
   }
-  const double room = picture::width - edge - left;
+  const double room = picture::width_of(plot) - edge - left;
   const auto fitting = static_cast<std::size_t>(std::max(1.0, room / (widest + 46)));
   const std::size_t across = std::min({fitting, plot.series.size(), std::size_t{4}});
   std::string out = "<g class=\"legend\">\n";
@@ -130,7 +97,7 @@ std::string legend(const Plot& plot, double left, double& y) {
     }
     const double column = room / static_cast<double>(across);
     const double x = left + column * static_cast<double>(i % across);
-    out += legend_entry(plot.series[i], i, x, y, column);
+    out += legend_entry(plot, i, x, y, column);
   }
   return out + "</g>\n";
 }
@@ -148,7 +115,7 @@ std::string svg_plot(const Plot& plot) {
   }
   if (!plot.y_label.empty()) {
     y += line_height + 2;
-    head += text_at(edge, y, picture::shortened_to(plot.y_label, picture::width - 2 * edge));
+    head += text_at(edge, y, picture::shortened_to(plot.y_label, picture::width_of(plot) - 2 * edge));
   }
 
   const Canvas canvas(plot, y + 12);
@@ -167,7 +134,10 @@ std::string svg_plot(const Plot& plot) {
     out +=
         text_at(canvas.right(), y, picture::shortened_to(plot.x_label, canvas.right() - edge), "text-anchor=\"end\"");
   }
-  if (std::any_of(plot.series.begin(), plot.series.end(), [](const Series& series) { return !series.name.empty(); })) {
+  if (plot.labelled) {
+    out += picture::end_labels(plot, canvas);
+  } else if (std::any_of(plot.series.begin(), plot.series.end(),
+                         [](const Series& series) { return !series.name.empty(); })) {
     y += 4;
     out += legend(plot, canvas.left(), y);
   }
@@ -180,11 +150,11 @@ std::string svg_plot(const Plot& plot) {
       "{1}\" "
       "width=\"{0}\" height=\"{1}\">\n<title>{2}</title>\n<g font-family=\"system-ui, sans-serif\" "
       "font-size=\"12\" fill=\"currentColor\">\n{3}</g>\n</svg>\n",
-      number(picture::width), number(std::ceil(y + edge)), xml(plot.title), out);
+      number(picture::width_of(plot)), number(std::ceil(y + edge)), xml(plot.title), out);
 }
 
 std::string_view svg_dark_colours() {
-  return dark_colours;
+  return picture::dark_colours();
 }
 
 }  // namespace goishi::verify

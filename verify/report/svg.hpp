@@ -10,8 +10,9 @@
 
 namespace goishi::verify {
 
-/// A picture 640 units wide: title, grid, curves with markers, legend below. It stands alone, and it
-/// can be put into a page: it inherits the page's text colour, and has no ids.
+/// A picture 640 units wide: title, grid, curves with markers, legend below; 960 wide with the names beside the curves if
+/// the plot is `labelled`. It stands alone, and it can be put into a page: it inherits the page's text colour, and has
+/// no ids.
 ///
 /// Each series is `<g data-series="name" data-points="N">`, N the points that are drawn. In a
 /// series of up to `greatest_marked` points each is an element of class `point` with its values as a
