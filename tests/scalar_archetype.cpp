@@ -7,15 +7,25 @@
 #include <experimental/simd>
 #include <goishi/mass/inertia.hpp>
 #include <goishi/mass/tensor.hpp>
+#include <goishi/motion/free_flight.hpp>
+#include <goishi/motion/invariants.hpp>
+#include <goishi/motion/state.hpp>
+#include <goishi/motion/step_formulas.hpp>
+#include <goishi/rotation.hpp>
 #include <goishi/scalar.hpp>
 #include <goishi/shape/stone.hpp>
+#include <limits>
+#include <string>
+#include <vector>
 
 namespace {
 
-/// Nothing but + − × ÷ and whole numbers, and elementary functions if asked for.
-template <bool elementary>
+/// Nothing but + − × ÷ and whole numbers, and elementary functions if asked for. Eigen itself needs a little more: room
+/// for a value (here NaN until it is set), and += to add up.
+template <bool elementary, bool in_eigen = false>
 class ArchetypeScalar {
  public:
+  ArchetypeScalar() requires in_eigen = default;
   explicit ArchetypeScalar(int n) : value_(n) {}
   explicit ArchetypeScalar(std::same_as<double> auto) = delete;
   explicit ArchetypeScalar(std::same_as<float> auto) = delete;
@@ -29,6 +39,7 @@ class ArchetypeScalar {
   friend Self operator*(const Self& x, const Self& y) { return of(x.value_ * y.value_); }
   friend Self operator/(const Self& x, const Self& y) { return of(x.value_ / y.value_); }
   friend Self operator-(const Self& x) { return of(-x.value_); }
+  friend Self& operator+=(Self& x, const Self& y) requires in_eigen { return x = x + y; }
   friend Self sqrt(const Self& x) requires elementary { return of(std::sqrt(x.value_)); }
   friend Self sin(const Self& x) requires elementary { return of(std::sin(x.value_)); }
   friend Self cos(const Self& x) requires elementary { return of(std::cos(x.value_)); }
@@ -40,16 +51,42 @@ class ArchetypeScalar {
     result.value_ = value;
     return result;
   }
-  double value_;
+  double value_ = std::numeric_limits<double>::quiet_NaN();
 };
 
 using Archetype = ArchetypeScalar<false>;
 using ElementaryArchetype = ArchetypeScalar<true>;
+using VectorArchetype = ArchetypeScalar<false, true>;
+using ElementaryVectorArchetype = ArchetypeScalar<true, true>;
 
 static_assert(goishi::Field<Archetype> && !goishi::Elementary<Archetype> && !goishi::Ordered<Archetype>);
 static_assert(goishi::Elementary<ElementaryArchetype> && !goishi::Ordered<ElementaryArchetype>);
+static_assert(goishi::Field<VectorArchetype> && !goishi::Elementary<VectorArchetype>);
+static_assert(goishi::Elementary<ElementaryVectorArchetype> && !goishi::Ordered<ElementaryVectorArchetype>);
 static_assert(goishi::Ordered<float> && goishi::Ordered<double> && goishi::Ordered<long double>);
 static_assert(!goishi::Field<int*> && !goishi::Field<std::string>);
+
+}  // namespace
+
+/// As for a symbol: no order, no precision.
+template <bool elementary>
+struct Eigen::NumTraits<ArchetypeScalar<elementary, true>> {
+  using Real = ArchetypeScalar<elementary, true>;
+  using NonInteger = Real;
+  using Nested = Real;
+  using Literal = Real;
+  enum {
+    IsInteger = 0,
+    IsSigned = 1,
+    IsComplex = 0,
+    RequireInitialization = 1,
+    ReadCost = 1,
+    AddCost = 1,
+    MulCost = 1
+  };
+};
+
+namespace {
 
 // A batch compares to a mask, so it is a scalar of formulas, not of algorithms.
 using Batch = std::experimental::native_simd<double>;
@@ -85,17 +122,146 @@ TEST(Archetype, RunsTheElementaryFormulas) {
   EXPECT_GT(formula::lens_moments(w, h).transverse.value(), 0.0);
 }
 
+// --- on vectors: each subject's formulas are called once, with the archetype and with double, and all numbers compared
+
+using goishi::Mat3;
+using goishi::Quat;
+using goishi::Vec3;
+
+double value_of(double x) {
+  return x;
+}
+template <bool elementary>
+double value_of(const ArchetypeScalar<elementary, true>& x) {
+  return x.value();
+}
+
+/// The numbers that formulas gave.
+class Numbers {
+ public:
+  template <class Derived>
+  void add(const Eigen::MatrixBase<Derived>& matrix) {
+    for (Eigen::Index i = 0; i < matrix.size(); ++i) {
+      values.push_back(value_of(matrix.derived().coeff(i % matrix.rows(), i / matrix.rows())));
+    }
+  }
+  template <class T>
+  void add(const Quat<T>& q) {
+    add(q.coeffs());
+  }
+  template <class T>
+  void add(const goishi::State<T>& state) {
+    add(state.p_WB);
+    add(state.q_WB);
+    add(state.v_WB);
+    add(state.L_W);
+  }
+  void add(const goishi::Field auto& scalar) { values.push_back(value_of(scalar)); }
+
+  std::vector<double> values;
+};
+
+/// 4 ulp: Eigen may add up the doubles in another order.
+void expect_same(const Numbers& archetype, const Numbers& expected) {
+  ASSERT_EQ(archetype.values.size(), expected.values.size());
+  for (std::size_t i = 0; i < expected.values.size(); ++i) {
+    EXPECT_DOUBLE_EQ(archetype.values[i], expected.values[i]) << "number " << i;
+  }
+}
+
+/// A body, its state and a step, of small whole numbers.
+template <class T>
+struct Example {
+  static Vec3<T> vector(int x, int y, int z) { return {T(x), T(y), T(z)}; }
+  T dt = T(1) / T(8);
+  Quat<T> q{T(1) / T(5), T(2) / T(5), T(2) / T(5), T(4) / T(5)};
+  Vec3<T> w = vector(2, -1, 3);
+  Vec3<T> gravity = vector(0, 0, -10);
+  Vec3<T> inverse_moments = Vec3<T>(T(1) / T(2), T(1) / T(3), T(1) / T(4));
+  goishi::RigidBody<T> body{.mass = T(2), .moments = vector(2, 3, 4)};
+  goishi::State<T> state{.p_WB = vector(1, 2, 3), .q_WB = q, .v_WB = vector(4, -5, 6), .L_W = vector(7, 8, -9)};
+  goishi::TopRates<T> rates = formula::top_rates(goishi::Moments<T>{.axial = T(3), .transverse = T(2)});
+  formula::Rotor<T> rotor{.q_WB = q, .L_B = vector(7, 8, -9)};
+};
+
+template <class T>
+Numbers tensor_formulas() {
+  Numbers numbers;
+  const Example<T> e;
+  const Mat3<T> tensor = formula::principal_tensor(goishi::Moments<T>{.axial = T(3), .transverse = T(2)});
+  numbers.add(formula::rotated_tensor(tensor, Mat3<T>(e.q.toRotationMatrix())));
+  numbers.add(formula::shifted_tensor(tensor, T(3), e.w));
+  return numbers;
+}
+
 TEST(Archetype, RunsTheTensorFormulas) {
-  using goishi::Mat3;
-  using goishi::Vec3;
-  // Eigen itself sets matrices to zero and adds; the batch is the archetype that it accepts.
-  Vec3<Batch> shift;
-  shift << Batch(1.0), Batch(2.0), Batch(3.0);
-  const Mat3<Batch> tensor = formula::shifted_tensor(
-      formula::principal_tensor(goishi::Moments<Batch>{.axial = Batch(2.0), .transverse = Batch(1.5)}), Batch(3.0),
-      shift);
-  EXPECT_EQ(static_cast<double>(tensor(0, 0)[0]), 1.5 + 3.0 * 13.0);
-  EXPECT_EQ(static_cast<double>(tensor(0, 1)[0]), -6.0);
+  expect_same(tensor_formulas<VectorArchetype>(), tensor_formulas<double>());
+}
+
+template <class T>
+Numbers rational_motion_formulas() {
+  Numbers numbers;
+  const Example<T> e;
+  numbers.add(formula::product(e.q, e.q));
+  numbers.add(formula::attitude_rate(e.w, e.q));
+  numbers.add(formula::reunited(e.q));
+  numbers.add(formula::symmetry_axis(e.q));
+  numbers.add(formula::in_body(e.q, e.w));
+  numbers.add(formula::angular_velocity_B(e.state, e.body));
+  numbers.add(formula::angular_velocity_W(e.state, e.body));
+  numbers.add(formula::angular_momentum_W(e.q, e.body, e.w));
+  numbers.add(formula::rotational_energy(e.state, e.body));
+  numbers.add(formula::translational_energy(e.state, e.body));
+  numbers.add(formula::potential_energy(e.state, e.body, e.gravity));
+  numbers.add(formula::energy(e.state, e.body, goishi::gravity_W<T>()));
+  numbers.add(formula::linear_momentum(e.state, e.body));
+  numbers.add(formula::angular_momentum_about(e.w, e.state, e.body));
+  numbers.add(formula::seen_from(e.w, e.q, e.gravity, e.state));
+  numbers.add(formula::ballistic_flight(e.state, e.gravity, e.dt));
+  numbers.add(e.rates.precession);
+  numbers.add(e.rates.spin);
+  numbers.add(formula::axial_momentum(e.q, e.state.L_W));
+  numbers.add(formula::raw_euler_attitude(e.q, e.w, e.dt));
+  const auto rk = formula::raw_runge_kutta_4_step<T>(
+      {e.q.w(), e.q.x(), e.q.y(), e.q.z(), e.gravity.x(), e.gravity.y(), e.gravity.z()}, e.inverse_moments, e.dt);
+  for (const T& number : {rk.w, rk.x, rk.y, rk.z, rk.lx, rk.ly, rk.lz}) {
+    numbers.add(number);
+  }
+  numbers.add(formula::midpoint_residual(e.w, e.gravity, e.inverse_moments, e.dt));
+  numbers.add(formula::midpoint_jacobian(e.w, e.inverse_moments, e.dt));
+  for (const T& substep : formula::composition_6<T>()) {
+    numbers.add(substep);
+  }
+  return numbers;
+}
+
+TEST(Archetype, RunsTheRationalFormulasOfMotion) {
+  expect_same(rational_motion_formulas<VectorArchetype>(), rational_motion_formulas<double>());
+}
+
+template <class T>
+Numbers elementary_motion_formulas() {
+  Numbers numbers;
+  const Example<T> e;
+  numbers.add(formula::rotation_exp(e.w));
+  numbers.add(formula::free_rotation(e.q, e.state.L_W, T(5), e.rates, e.dt));
+  numbers.add(formula::free_flight(e.state, e.rates, e.gravity, e.dt));
+  numbers.add(formula::exponential_euler_attitude(e.q, e.w, e.dt));
+  numbers.add(formula::midpoint_attitude(e.q, e.w, e.inverse_moments, e.dt));
+  const auto add_split = [&](const auto& substeps) {
+    formula::Rotor<T> rotor = e.rotor;
+    formula::splitting_step(rotor, e.inverse_moments, e.dt, substeps);
+    numbers.add(rotor.q_WB);
+    numbers.add(rotor.L_B);
+  };
+  add_split(formula::composition_2<T>());
+  add_split(formula::composition_4<T>());
+  add_split(formula::composition_6<T>());
+  return numbers;
+}
+
+TEST(Archetype, RunsTheElementaryFormulasOfMotion) {
+  expect_same(elementary_motion_formulas<ElementaryVectorArchetype>(), elementary_motion_formulas<double>());
 }
 
 TEST(Scalar, BatchesGiveWhatTheirLanesGive) {

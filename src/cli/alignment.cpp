@@ -14,6 +14,7 @@ std::size_t length(std::string_view text) {
 }
 
 bool is_number(std::string_view text) {
+  text.remove_prefix(text.starts_with('-') ? 1 : 0);
   return !text.empty() && '0' <= text.front() && text.front() <= '9';
 }
 

@@ -2,21 +2,15 @@
 /// \file
 /// `goishi inertia`: everything about one stone.
 
-#include <optional>
 #include <string>
+
+#include "subject.hpp"
 
 namespace goishi::cli {
 
-/// As typed; what is not there was not given.
+/// As typed.
 struct InertiaOptions {
-  std::optional<std::string> size;
-  std::optional<std::string> color;
-  std::optional<std::string> width;
-  std::optional<std::string> height;
-  std::optional<std::string> bevel;
-  std::optional<std::string> mass;
-  std::optional<std::string> density;
-  bool measured = false;
+  StoneOptions stone;
   std::string format = "text";
 };
 

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <exception>
+#include <goishi/motion/steppers.hpp>
 #include <goishi/shape/catalogue.hpp>
 #include <sstream>
 #include <stdexcept>
@@ -15,6 +16,7 @@
 #include "inertia.hpp"
 #include "quantity.hpp"
 #include "report.hpp"
+#include "spin.hpp"
 #include "table.hpp"
 #include "version.hpp"
 
@@ -25,7 +27,7 @@ namespace {
 constexpr int bad_usage = 2;
 
 constexpr const char* about =
-    "Shape, mass and moments of inertia of Go stones.\n"
+    "Shape, mass, moments of inertia and free rotation of Go stones.\n"
     "The program computes with 50 digits, so that every digit it prints is right.";
 
 constexpr const char* about_table =
@@ -38,7 +40,8 @@ constexpr const char* examples =
     "goishi COMMAND --help explains a command.\n\n"
     "Examples:\n"
     "  goishi table\n"
-    "  goishi inertia --size 33 --bevel 1mm";
+    "  goishi inertia --size 33 --bevel 1mm\n"
+    "  goishi spin --size 33 --spin 0,5,60 --time 2.5";
 
 constexpr const char* table_examples = R"(
 Examples:
@@ -57,11 +60,26 @@ Examples:
 
 Exit status: 0 done, 2 bad usage or a failed write.)";
 
+constexpr const char* about_spin =
+    "How a stone, or any body with a symmetry axis, turns when nothing touches it:\n"
+    "attitude, spin, angular momentum and energy after a time";
+
+constexpr const char* spin_examples = R"(
+Examples:
+  goishi spin --size 33 --bevel 1mm --spin 0,5,60 --time 2.5
+  goishi spin --axial 0.02 --transverse 0.04 --spin 2,4,6 --time 10 --format json
+  goishi spin --size 33 --spin 1,2,8 --time -1 --attitude 0.6,0,0.8,0
+  goishi spin --size 33 --spin 1,2,8 --time 10 --series 101
+  goishi spin --size 33 --spin 1,2,8 --time 10 --method published --step 10ms
+
+Exit status: 0 done, 1 the method broke down with this step (the last good state is
+printed), 2 bad usage or a failed write.)";
+
 std::string units_note() {
   return fmt::format(
       "A number may carry a unit: 22mm, \"2.2 cm\". Without one it is in the first of\n"
-      "  lengths    {}\n  densities  {}\n  masses     {}\n",
-      length_units, density_units, mass_units);
+      "  lengths    {}\n  densities  {}\n  masses     {}\n  times      {}\n",
+      length_units, density_units, mass_units, time_units);
 }
 
 std::string assumed_densities() {
@@ -94,34 +112,78 @@ void add_table(CLI::App& app, TableOptions& options) {
 
 void add_inertia(CLI::App& app, InertiaOptions& options) {
   CLI::App& inertia = *app.add_subcommand("inertia", about_inertia);
-  add_value(inertia, options.size, "--size", "N",
+  add_value(inertia, options.stone.size, "--size", "N",
             "Number of a catalogue stone, such as 33 (or give --width and --height)");
-  add_value(inertia, options.color, "--color", "COLOR", "white or black, with --size [default: white]");
-  add_value(inertia, options.width, "--width", "LENGTH", "Diameter of the lens (see --measured)");
-  add_value(inertia, options.height, "--height", "LENGTH", "Thickness, at most the width");
-  add_value(inertia, options.bevel, "--bevel", "LENGTH", "Height of the bevel, below the height [default: 0, sharp]");
+  add_value(inertia, options.stone.color, "--color", "COLOR", "white or black, with --size [default: white]");
+  add_value(inertia, options.stone.width, "--width", "LENGTH", "Diameter of the lens (see --measured)");
+  add_value(inertia, options.stone.height, "--height", "LENGTH", "Thickness, at most the width");
+  add_value(inertia, options.stone.bevel, "--bevel", "LENGTH",
+            "Height of the bevel, below the height [default: 0, sharp]");
   inertia
-      .add_flag("--measured", options.measured,
+      .add_flag("--measured", options.stone.measured,
                 "The width is that of the finished stone; without this,\n"
                 "as published, the bevel shrinks the stone")
       ->disable_flag_override();
-  add_value(inertia, options.mass, "--mass", "MASS", "Mass of the stone, instead of a density");
-  add_value(inertia, options.density, "--density", "DENSITY",
+  add_value(inertia, options.stone.mass, "--mass", "MASS", "Mass of the stone, instead of a density");
+  add_value(inertia, options.stone.density, "--density", "DENSITY",
             "Density of the stone; --width without one is taken as white\n" + assumed_densities());
   add_value(inertia, options.format, "--format", "FORMAT",
             "text: 6 significant digits, two unit systems; json: 17, SI units\n[default: text]");
   inertia.footer(units_note() + inertia_examples);
 }
 
+std::string methods_note() {
+  std::string text = "\nMethods:\n";
+  for (const SchemeInfo& scheme : schemes) {
+    text += fmt::format("  {:<18} {}\n", scheme.name, scheme.what);
+  }
+  return text +
+         "'exact' takes any time, negative ones too; it computes with 50 digits, so that every\n"
+         "digit it prints is right. (A component below 1e-28 of its vector is printed as 0;\n"
+         "times that turn the body by more than 1e20 rad are refused.)\n"
+         "The others compute in double, forwards, for comparison: in equal steps, as few as\n"
+         "are needed for none to be longer than --step, and with --series from row to row.\n"
+         "The angular momentum is in the world frame; spin and moments are in the body frame,\n"
+         "whose z is the symmetry axis. Moments and spin are numbers without units.\n";
+}
+
+void add_spin(CLI::App& app, SpinOptions& options) {
+  CLI::App& spin = *app.add_subcommand("spin", about_spin);
+  add_value(spin, options.stone.size, "--size", "N",
+            "Number of a catalogue stone, such as 33 (or give --axial and --transverse)");
+  add_value(spin, options.stone.color, "--color", "COLOR", "white or black, with --size [default: white]");
+  add_value(spin, options.stone.bevel, "--bevel", "LENGTH",
+            "Height of the bevel, with --size; as published, it shrinks the stone\n[default: 0, sharp]");
+  add_value(spin, options.stone.mass, "--mass", "MASS", "Mass of the stone, instead of a density");
+  add_value(spin, options.stone.density, "--density", "DENSITY", "Density of the stone\n" + assumed_densities());
+  add_value(spin, options.axial, "--axial", "I_A", "Moment about the symmetry axis, in kg m²; at most twice I_T");
+  add_value(spin, options.transverse, "--transverse", "I_T", "Moment across the symmetry axis, in kg m²");
+  add_value(spin, options.spin, "--spin", "X,Y,Z", "Angular velocity at time 0, in the body frame, in rad/s");
+  add_value(spin, options.attitude, "--attitude", "W,X,Y,Z",
+            "Attitude at time 0: the unit quaternion from the body to the world;\n"
+            "15 right digits are enough, it is then made unit with 50 [default: 1,0,0,0]");
+  add_value(spin, options.time, "--time", "TIME", "How long it turns");
+  add_value(spin, options.method, "--method", "METHOD", "How to compute, see below [default: exact]");
+  add_value(spin, options.step, "--step", "TIME", "Longest step; needed by every method but exact");
+  add_value(spin, options.format, "--format", "FORMAT", "text: 6 significant digits; json: 17 [default: text]");
+  add_value(
+      spin, options.series, "--series", "N",
+      fmt::format("Print N rows of CSV instead, 17 digits, evenly from time 0 to TIME,\nboth included; N from 2 to {}",
+                  most_rows));
+  spin.footer(units_note() + methods_note() + spin_examples);
+}
+
 int run(int count, char** arguments) {
   TableOptions table;
   InertiaOptions inertia;
+  SpinOptions spin;
   CLI::App app(about, "goishi");
   app.set_version_flag("--version", version());
   app.require_subcommand(0, 1);
   app.footer(examples);
   add_table(app, table);
   add_inertia(app, inertia);
+  add_spin(app, spin);
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& error) {
@@ -136,8 +198,11 @@ int run(int count, char** arguments) {
   if (app.got_subcommand("table")) {
     return run_table(table);
   }
+  if (app.got_subcommand("spin")) {
+    return run_spin(spin);
+  }
   if (!app.got_subcommand("inertia")) {
-    throw std::runtime_error("a command is needed: table or inertia");
+    throw std::runtime_error("a command is needed: table, inertia or spin");
   }
   run_inertia(inertia);
   return 0;

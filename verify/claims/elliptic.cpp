@@ -144,7 +144,7 @@ double angle_between(const Quat<Quad>& q, const Quat<Quad>& p) {
 /// The formula itself, in 34 digits: no round-off of double in the way.
 Measurement measure_formula(Context& context) {
   Worst worst;
-  for (int i = 0; i < context.samples(20, 100); ++i) {
+  for (int i = 0; i < context.samples(20, 40); ++i) {
     const Problem problem = draw_problem(context, i, 12.0);
     const State<Quad> start = in_quad(problem.start);
     const Vec3<Quad> spin =

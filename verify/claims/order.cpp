@@ -281,7 +281,7 @@ std::vector<Claim> order_claims() {
            "the next term of the error, in the smallest steps that are not at round-off: 0.05 for slopes of order "
            "0, 1 and 2, 0.1 for 4, 0.2 for 6",
        .resolution = 0.02,
-       .mutants = {{"motion/step_formulas.hpp", "formula::along(rotor, k2, half)", "formula::along(rotor, k1, half)"},
+       .mutants = {{"motion/step_formulas.hpp", "formula::along(start, k2, half)", "formula::along(start, k1, half)"},
                    {"motion/step_formulas.hpp", "middle - start - dt / T(2) *", "middle - start + dt / T(2) *"},
                    {"motion/step_formulas.hpp", "rotor.L_B[j] = cosine * L_j + sine * L_k",
                     "rotor.L_B[j] = cosine * L_j - sine * L_k"},
@@ -358,7 +358,7 @@ std::vector<Claim> order_claims() {
        .unit = "count",
        .bound = 0.0,
        .reason = "exact",
-       .mutants = {{"motion/steppers.hpp", "result.status == StepStatus::completed && !is_sound(next)", "false"},
+       .mutants = {{"motion/steppers.hpp", "if (!scalar::is_finite(T(p.sum() + v.sum())))", "if (false)"},
                    {"motion/steppers.hpp", "if (!(T(1) / T(4) < square && square < T(4)))", "if (square < T(0))"}},
        .measure = measure_too_large},
   };

@@ -165,58 +165,71 @@ class Stepper {
     Stepped<T> result{.state = start};
     // What Runge-Kutta integrates beside the attitude; the others take it from L_W in every step.
     Vec3<T> L_B = formula::in_body(start.q_WB, start.L_W);
+    State<T>& state = result.state;
     for (; result.steps < steps; ++result.steps) {
-      State<T> next = result.state;
+      Vec3<T> p = state.p_WB, v = state.v_WB;
       if (freedom_ != Freedom::angular) {
-        move<scheme>(next, dt);
+        move<scheme>(p, v, dt);
+        if (!scalar::is_finite(T(p.sum() + v.sum()))) {
+          result.status = StepStatus::diverged;
+          break;
+        }
       }
       if (freedom_ != Freedom::linear) {
-        result.status = turn<scheme>(next, L_B, dt);
+        result.status = turn<scheme>(state, L_B, dt);
+        if (result.status != StepStatus::completed) {
+          break;
+        }
       }
-      if (result.status == StepStatus::completed && !is_sound(next)) {
-        result.status = StepStatus::diverged;
-      }
-      if (result.status != StepStatus::completed) {
-        break;
-      }
-      result.state = next;
+      state.p_WB = p;
+      state.v_WB = v;
     }
     return result;
   }
 
-  /// Finite, and not so far off that normalising gave up (a quaternion whose square overflows becomes 0).
-  [[nodiscard]] static bool is_sound(const State<T>& state) {
-    const T moving = state.p_WB.sum() + state.v_WB.sum() + state.L_W.sum();
-    return scalar::is_finite(moving) && T(1) / T(4) < state.q_WB.squaredNorm();
-  }
-
   template <Scheme scheme>
-  void move(State<T>& state, const T& dt) const {
+  void move(Vec3<T>& p, Vec3<T>& v, const T& dt) const {
+    const Vec3<T> gain = dt * gravity_;
     if constexpr (info(scheme).position_order == exact_order) {
-      state = formula::ballistic_flight(state, gravity_, dt);
+      p += dt * (v + gain / T(2));
+      v += gain;
     } else {
-      state.v_WB += dt * gravity_;
-      state.p_WB += dt * state.v_WB;
+      v += gain;
+      p += dt * v;
     }
   }
 
+  /// Takes the next attitude over, if it is one: a quaternion whose square overflowed in normalising is 0, not a unit.
+  [[nodiscard]] static StepStatus settle(State<T>& state, const Quat<T>& next) {
+    const T square = next.squaredNorm();
+    if (!(T(1) / T(4) < square && square < T(4))) {
+      return StepStatus::diverged;
+    }
+    state.q_WB = next;
+    return StepStatus::completed;
+  }
+
+  /// The next attitude (and, in the published loop, momentum); nothing changes where a step fails.
   template <Scheme scheme>
   [[nodiscard]] StepStatus turn(State<T>& state, [[maybe_unused]] Vec3<T>& L_B, const T& dt) const {
     const Quat<T> q = state.q_WB;
     if constexpr (scheme == Scheme::published) {
       const Vec3<T> w_WB = angular_velocity(state);
-      state.q_WB = formula::raw_euler_attitude(q, w_WB, dt).normalized();
-      state.L_W = formula::angular_momentum_W(state.q_WB, body_, formula::in_body(state.q_WB, w_WB));
+      const Quat<T> next = formula::raw_euler_attitude(q, w_WB, dt).normalized();
+      const Vec3<T> L_W = formula::angular_momentum_W(next, body_, formula::in_body(next, w_WB));
+      if (!scalar::is_finite(T(L_W.sum())) || settle(state, next) != StepStatus::completed) {
+        return StepStatus::diverged;
+      }
+      state.L_W = L_W;
+      return StepStatus::completed;
     } else if constexpr (scheme == Scheme::explicit_euler) {
-      state.q_WB = formula::raw_euler_attitude(q, angular_velocity(state), dt).normalized();
+      return settle(state, formula::raw_euler_attitude(q, angular_velocity(state), dt).normalized());
     } else if constexpr (scheme == Scheme::exponential_euler) {
-      state.q_WB = formula::reunited(formula::exponential_euler_attitude(q, angular_velocity(state), dt));
+      return settle(state, formula::reunited(formula::exponential_euler_attitude(q, angular_velocity(state), dt)));
     } else if constexpr (scheme == Scheme::implicit_midpoint) {
       const std::optional<Vec3<T>> middle = middle_momentum(formula::in_body(q, state.L_W), dt);
-      if (!middle) {
-        return StepStatus::not_converged;
-      }
-      state.q_WB = formula::reunited(formula::midpoint_attitude(q, *middle, inverse_moments_, dt));
+      return middle ? settle(state, formula::reunited(formula::midpoint_attitude(q, *middle, inverse_moments_, dt)))
+                    : StepStatus::not_converged;
     } else if constexpr (scheme == Scheme::runge_kutta_4) {
       const formula::RotorNumbers<T> next = formula::raw_runge_kutta_4_step<T>(
           {q.w(), q.x(), q.y(), q.z(), L_B.x(), L_B.y(), L_B.z()}, inverse_moments_, dt);
@@ -224,19 +237,22 @@ class Stepper {
       if (!(T(1) / T(4) < square && square < T(4))) {
         return StepStatus::diverged;
       }
-      const T over = T(1) / scalar::sqrt(square);
+      // A defect whose square is round-off needs no root.
+      const T defect = square - T(1);
+      const T over = scalar::sq(defect) < std::numeric_limits<T>::epsilon() ? T(T(1) - defect / T(2))
+                                                                            : T(T(1) / scalar::sqrt(square));
       state.q_WB = Quat<T>(T(over * next.w), T(over * next.x), T(over * next.y), T(over * next.z));
       L_B = {next.lx, next.ly, next.lz};
+      return StepStatus::completed;
     } else if constexpr (scheme == Scheme::exact) {
       const TopRates<T> rates = formula::top_rates<T>({.axial = body_.moments.z(), .transverse = body_.moments.x()});
       const T axial_momentum = detail::axial_momentum(q, state.L_W, rates);
-      state.q_WB = formula::free_rotation(q, state.L_W, axial_momentum, rates, dt);
+      return settle(state, formula::free_rotation(q, state.L_W, axial_momentum, rates, dt));
     } else {
       formula::Rotor<T> rotor{.q_WB = q, .L_B = formula::in_body(q, state.L_W)};
       formula::splitting_step(rotor, inverse_moments_, dt, composition<scheme>());
-      state.q_WB = formula::reunited(rotor.q_WB);
+      return settle(state, formula::reunited(rotor.q_WB));
     }
-    return StepStatus::completed;
   }
 
   [[nodiscard]] Vec3<T> angular_velocity(const State<T>& state) const {
