@@ -52,7 +52,11 @@ struct Contestant {
   bool needs_symmetry;
   std::function<std::unique_ptr<Solver>(const Problem&)> enter;
 
-  [[nodiscard]] bool can_enter(const Problem& problem) const { return !needs_symmetry || problem.is_symmetric(); }
+  /// Of the closed forms the one that is meant for the body: for a symmetric one the elliptic flight is the exact flight.
+  [[nodiscard]] bool can_enter(const Problem& problem) const {
+    return kind == Kind::closed_form ? needs_symmetry == problem.is_symmetric()
+                                     : !needs_symmetry || problem.is_symmetric();
+  }
 };
 
 [[nodiscard]] std::vector<Contestant> our_contestants();
