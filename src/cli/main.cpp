@@ -6,12 +6,14 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <exception>
+#include <goishi/motion/invariants.hpp>
 #include <goishi/motion/steppers.hpp>
 #include <goishi/shape/catalogue.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 
+#include "contact.hpp"
 #include "file.hpp"
 #include "inertia.hpp"
 #include "quantity.hpp"
@@ -27,7 +29,7 @@ namespace {
 constexpr int bad_usage = 2;
 
 constexpr const char* about =
-    "Shape, mass, moments of inertia and free rotation of Go stones.\n"
+    "Shape, mass, moments of inertia, free rotation and contacts of Go stones.\n"
     "The program computes with 50 digits, so that every digit it prints is right.";
 
 constexpr const char* about_table =
@@ -41,7 +43,8 @@ constexpr const char* examples =
     "Examples:\n"
     "  goishi table\n"
     "  goishi inertia --size 33 --bevel 1mm\n"
-    "  goishi spin --size 33 --spin 0,5,60 --time 2.5";
+    "  goishi spin --size 33 --spin 0,5,60 --time 2.5\n"
+    "  goishi contact --size 33 --position 0,0,0.01";
 
 constexpr const char* table_examples = R"(
 Examples:
@@ -74,6 +77,28 @@ Examples:
 
 Exit status: 0 done, 1 the method broke down with this step (the last good state is
 printed), 2 bad usage or a failed write.)";
+
+constexpr const char* about_contact =
+    "Where a stone stands to the board, to a plane or to another stone: gap or depth,\n"
+    "normal and contact points; and when a flying one touches";
+
+constexpr const char* contact_examples = R"(
+The gap is the distance, or, below 0, the depth: moving the stone by that depth along the
+normal, which points to it, is the shortest way out. Everything is in the world frame:
+the playing surface is z = 0, its middle the origin. The board has no bottom: below the
+surface its sides go on for ever. Computed with 50 digits; a number below 1e-28 of the
+lengths given is printed as 0. Only the time of impact is computed in double.
+JSON: region is null but for the board; time_of_impact is null unless there is a hit.
+
+Examples:
+  goishi contact --size 33 --position 0,0,0.01
+  goishi contact --size 33 --bevel 1mm --position 0.2161,0,0.002 --attitude 0.8,0,0.6,0
+  goishi contact --size 33 --position 0,0,0.1 --velocity 0,0,0 --spin 3,0,40 --horizon 1
+  goishi contact --width 2 --height 1 --position 0,0,3 --against plane --format json
+  goishi contact --size 36 --position 0,0,0.005 --against stone --other-position 0.02,0,0.005
+
+Exit status: 0 done, 1 a search did not converge (what it reached is printed), 2 bad usage
+or a failed write.)";
 
 std::string units_note() {
   return fmt::format(
@@ -173,10 +198,41 @@ void add_spin(CLI::App& app, SpinOptions& options) {
   spin.footer(units_note() + methods_note() + spin_examples);
 }
 
+void add_contact(CLI::App& app, ContactOptions& options) {
+  CLI::App& contact = *app.add_subcommand("contact", about_contact);
+  add_value(contact, options.stone.size, "--size", "N",
+            "Number of a catalogue stone, such as 33 (or give --width and --height)");
+  add_value(contact, options.stone.color, "--color", "COLOR", "white or black, with --size [default: white]");
+  add_value(contact, options.stone.width, "--width", "LENGTH", "Diameter of the lens");
+  add_value(contact, options.stone.height, "--height", "LENGTH", "Thickness, at most the width");
+  add_value(contact, options.stone.bevel, "--bevel", "LENGTH",
+            "Height of the bevel; as published, it shrinks the stone [default: 0, sharp]");
+  add_value(contact, options.position, "--position", "X,Y,Z", "The stone's centre, in m");
+  add_value(contact, options.attitude, "--attitude", "W,X,Y,Z",
+            "The unit quaternion from the body to the world; 15 right digits are enough,\n"
+            "it is then made unit with 50 [default: 1,0,0,0, lying flat]");
+  add_value(contact, options.against, "--against", "WHAT",
+            "board; plane: z = 0 without end; stone: another of the same size\n[default: board]");
+  add_value(contact, options.other_position, "--other-position", "X,Y,Z", "The other stone's centre, in m");
+  add_value(contact, options.other_attitude, "--other-attitude", "W,X,Y,Z",
+            "The other stone's attitude [default: 1,0,0,0]");
+  add_value(contact, options.lines, "--lines", "N", "Lines of the board, 22 and 23.7 mm apart [default: 19]");
+  add_value(contact, options.velocity, "--velocity", "X,Y,Z",
+            "Velocity of the centre, in m/s; the other stone stays where it is [default: 0,0,0]");
+  add_value(contact, options.spin, "--spin", "X,Y,Z", "Angular velocity, in the body frame, in rad/s [default: 0,0,0]");
+  add_value(contact, options.gravity, "--gravity", "G",
+            fmt::format("Downwards, in m/s² [default: {}]", standard_gravity<double>()));
+  add_value(contact, options.horizon, "--horizon", "TIME",
+            "How far ahead to look for an impact; needs --velocity or --spin");
+  add_value(contact, options.format, "--format", "FORMAT", "text: 6 significant digits; json: 17 [default: text]");
+  contact.footer(units_note() + contact_examples);
+}
+
 int run(int count, char** arguments) {
   TableOptions table;
   InertiaOptions inertia;
   SpinOptions spin;
+  ContactOptions contact;
   CLI::App app(about, "goishi");
   app.set_version_flag("--version", version());
   app.require_subcommand(0, 1);
@@ -184,6 +240,7 @@ int run(int count, char** arguments) {
   add_table(app, table);
   add_inertia(app, inertia);
   add_spin(app, spin);
+  add_contact(app, contact);
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& error) {
@@ -201,8 +258,11 @@ int run(int count, char** arguments) {
   if (app.got_subcommand("spin")) {
     return run_spin(spin);
   }
+  if (app.got_subcommand("contact")) {
+    return run_contact(contact);
+  }
   if (!app.got_subcommand("inertia")) {
-    throw std::runtime_error("a command is needed: table, inertia or spin");
+    throw std::runtime_error("a command is needed: table, inertia, spin or contact");
   }
   run_inertia(inertia);
   return 0;

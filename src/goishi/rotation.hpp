@@ -80,8 +80,10 @@ template <Ordered T>
 void require_unit(const Quat<T>& q_WB) {
   const T defect = q_WB.squaredNorm() - T(1);
   const T tolerance = unit_tolerance<T>();
-  require(defect < tolerance && -tolerance < defect, "attitude", q_WB.norm(),
-          "must be a unit quaternion; |q|² is off by ", defect, ", more than round-off: normalise it first");
+  if (!(defect < tolerance && -tolerance < defect)) [[unlikely]] {
+    throw_invalid("attitude", q_WB.norm(), "must be a unit quaternion; |q|² is off by ", defect,
+                  ", more than round-off: normalise it first");
+  }
 }
 
 /// Rotation matrix of a unit quaternion: R_WB v_B = v_W.

@@ -20,7 +20,18 @@ std::vector<Claim> all_claims() {
       {"claims/motion_laws.cpp", motion_law_claims},
       {"claims/order.cpp", order_claims},
       {"claims/cases.cpp", case_claims},
-      {"claims/published_motion.cpp", published_motion_claims}};
+      {"claims/published_motion.cpp", published_motion_claims},
+      {"claims/surface.cpp", surface_claims},
+      {"claims/surface_laws.cpp", surface_law_claims},
+      {"claims/board.cpp", board_claims},
+      {"claims/contact.cpp", contact_claims},
+      {"claims/contact_pair.cpp", contact_pair_claims},
+      {"claims/contact_points.cpp", contact_point_claims},
+      {"claims/contact_laws.cpp", contact_law_claims},
+      {"claims/time_of_impact.cpp", time_of_impact_claims},
+      {"claims/time_of_impact_bodies.cpp", time_of_impact_body_claims},
+      {"claims/time_of_impact_odeint.cpp", time_of_impact_odeint_claims},
+      {"claims/published_contact.cpp", published_contact_claims}};
   for (const auto& [source, subject] : subjects) {
     std::vector<Claim> claims = subject();
     for (Claim& claim : claims) {

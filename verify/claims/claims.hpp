@@ -21,6 +21,17 @@ namespace goishi::verify {
 [[nodiscard]] std::vector<Claim> order_claims();             // ORDER: the steppers' orders, drift, divergence
 [[nodiscard]] std::vector<Claim> case_claims();              // CASE: published cases of rigid-body motion
 [[nodiscard]] std::vector<Claim> published_motion_claims();  // PUBLISHED: the talk's loops, and how far they are off
+[[nodiscard]] std::vector<Claim> surface_claims();           // SURFACE: support, distance, rays
+[[nodiscard]] std::vector<Claim> surface_law_claims();       // SURFACE: what holds for any convex body of revolution
+[[nodiscard]] std::vector<Claim> board_claims();             // BOARD: regions, rays
+[[nodiscard]] std::vector<Claim> contact_claims();           // CONTACT: plane and board against 50 digits and search
+[[nodiscard]] std::vector<Claim> contact_pair_claims();      // CONTACT: two stones against search
+[[nodiscard]] std::vector<Claim> contact_point_claims();     // CONTACT: normals and contact points
+[[nodiscard]] std::vector<Claim> contact_law_claims();       // CONTACT: moved and mirrored worlds, a million poses
+[[nodiscard]] std::vector<Claim> time_of_impact_claims();    // TOI: a plane; where a flight starts
+[[nodiscard]] std::vector<Claim> time_of_impact_body_claims();    // TOI: the board, another flying stone
+[[nodiscard]] std::vector<Claim> time_of_impact_odeint_claims();  // TOI: against Odeint with events
+[[nodiscard]] std::vector<Claim> published_contact_claims();      // PUBLISHED: the talk's test, push-out and support
 
 [[nodiscard]] std::vector<Claim> all_claims();
 

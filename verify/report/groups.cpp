@@ -12,7 +12,7 @@ namespace goishi::verify {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 19> titles = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 21> titles = {{
     {"SHAPE", "Shape of lens and bevel"},
     {"MASS", "Volume, area and moments of inertia"},
     {"GSL", "Against numerical integration of the solid"},
@@ -28,8 +28,10 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 19> titles =
     {"MOTION", "Laws of free motion"},
     {"ORDER", "Steppers: order, drift, divergence"},
     {"CASE", "Published cases of rigid-body motion"},
+    {"SURFACE", "The surface of a stone"},
     {"BOARD", "The board"},
     {"CONTACT", "Contact"},
+    {"TOI", "Time of impact"},
     {"IMPACT", "Impact and friction"},
     {"DROP", "From flight to rest"},
 }};

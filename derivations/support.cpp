@@ -1,0 +1,185 @@
+/// \file
+/// The support function of the stone: maximiser on cap and rim, its switch, thin stones; the distance from the core; and the
+/// bound that makes the time of impact safe.
+
+#include <goishi/contact/stone_plane.hpp>
+#include <goishi/shape/surface.hpp>
+
+#include "proof.hpp"
+#include "torus.hpp"
+
+namespace {
+
+using namespace derivation;
+namespace formula = goishi::formula;
+
+/// A direction n = (cos φ, sin φ) in the meridian half plane, rational in t = tan(φ/2).
+struct Direction {
+  possymbol t = possymbol("t", "t");
+  ex radial = (1 - pow(t, 2)) / (1 + pow(t, 2));
+  ex axial = 2 * t / (1 + pow(t, 2));
+};
+
+/// A stone by its torus, as `formula::bevelled_stone` makes it.
+goishi::Stone<ex> stone_of(const Torus& torus) {
+  goishi::Stone<ex> stone;
+  stone.height = torus.height;
+  stone.sphere_radius = torus.sphere_radius;
+  stone.sphere_offset = torus.offset;
+  stone.bevel_major_radius = torus.major;
+  stone.bevel_minor_radius = torus.minor;
+  stone.core_sphere_radius = torus.core_radius;
+  return stone;
+}
+
+void cap(Document& document, const goishi::Stone<ex>& stone, const Direction& n) {
+  document.section("The cap");
+  document.text(
+      R"(The cap is part of the circle of radius $r$ about $(0, -d)$, so that the farthest point of that circle in the unit
+direction $n = (n_r, \mu)$ is $(0, -d) + r n$, and $S = n \cdot ((0, -d) + r n) = r - d\mu$. Where this point is on the
+cap, it is the farthest of the stone, which lies inside the circle.)");
+  const ex square = pow(n.radial, 2);
+  document.shipped("formula::cap_support", "shape/surface.hpp");
+  const ex support = formula::cap_support<ex>(stone, n.axial, square);
+  document.prove({.text = R"(the form without cancellation, $h/2 + d\,n_r^2/(1 + \mu)$, is $r - d\mu$)",
+                  .result = support,
+                  .witness = stone.sphere_radius - stone.sphere_offset * n.axial,
+                  .controls = scaled(support)});
+  document.shipped("formula::cap_support_height", "shape/surface.hpp");
+  const ex height = formula::cap_support_height<ex>(stone, n.axial, square);
+  document.prove({.text = R"($h/2 - r\,n_r^2/(1 + \mu)$ is the point's height $r\mu - d$)",
+                  .result = height,
+                  .witness = stone.sphere_radius * n.axial - stone.sphere_offset,
+                  .controls = scaled(height)});
+  document.shipped("formula::cap_gap", "contact/stone_plane.hpp");
+  const possymbol z("z");
+  const ex gap = formula::cap_gap<ex>(stone, z, n.axial, square);
+  document.prove({.text = "the gap under a centre at height $z$ is $z - S$",
+                  .result = gap,
+                  .witness = z - (stone.sphere_radius - stone.sphere_offset * n.axial),
+                  .controls = scaled(gap)});
+}
+
+void rim(Document& document, const goishi::Stone<ex>& stone, const Direction& n) {
+  document.section("The rim");
+  document.text(
+      R"(The rim is the circle of radius $r_1$ in the middle plane, moved out by a ball of radius $r_2$. Its farthest point
+in the direction $n$ is $(r_1, 0) + r_2 n$, and $S = n \cdot ((r_1, 0) + r_2 n)$.)");
+  document.shipped("formula::rim_support", "shape/surface.hpp");
+  const ex support = formula::rim_support<ex>(stone, n.radial);
+  const ex far_r = stone.bevel_major_radius + stone.bevel_minor_radius * n.radial;
+  const ex far_z = stone.bevel_minor_radius * n.axial;
+  document.prove({.text = "$S = r_1 n_r + r_2$",
+                  .result = support,
+                  .witness = n.radial * far_r + n.axial * far_z,
+                  .controls = scaled(support)});
+  document.shipped("formula::rim_gap", "contact/stone_plane.hpp");
+  const possymbol z("z");
+  const ex gap = formula::rim_gap<ex>(stone, z, n.radial);
+  document.prove({.text = "the gap under a centre at height $z$ is $z - S$",
+                  .result = gap,
+                  .witness = z - (n.radial * far_r + n.axial * far_z),
+                  .controls = scaled(gap)});
+}
+
+void joint(Document& document, const goishi::Stone<ex>& stone, const Torus& torus, const Direction& n) {
+  document.section("The switch");
+  document.text(
+      R"(Cap and rim change at the joint's normal, $n = (\cos\alpha, \sin\alpha)$. There both give the same support and the
+same slope by the direction's angle $\varphi$: the support function is $C^1$, and its gradient, the support point, is
+continuous.)");
+  const ex cosine = torus.joint.cosine;
+  const ex sine = torus.joint.sine;
+  const ex on_cap = formula::cap_support<ex>(stone, sine, pow(cosine, 2));
+  document.prove({.text = "the values agree",
+                  .result = on_cap,
+                  .witness = formula::rim_support<ex>(stone, cosine),
+                  .controls = scaled(on_cap)});
+  // d/dφ = (dt/dφ) d/dt, and dt/dφ = (1 + t²)/2.
+  const auto slope = [&](const ex& of_t) { return of_t.diff(n.t) * (1 + pow(n.t, 2)) / 2; };
+  const ex at_joint = 1 / (1 + torus.tau);
+  const ex cap_slope = slope(formula::cap_support<ex>(stone, n.axial, pow(n.radial, 2))).subs(n.t == at_joint);
+  const ex rim_slope = slope(formula::rim_support<ex>(stone, n.radial)).subs(n.t == at_joint);
+  document.prove(
+      {.text = "the slopes agree", .result = cap_slope, .witness = rim_slope, .controls = scaled(cap_slope)});
+}
+
+void core(Document& document, const goishi::Stone<ex>& stone) {
+  document.section("The distance from the core's sphere");
+  document.text(
+      R"(A point at the distance $\rho$ from the axis and the height $\zeta$ has the distance $q = \sqrt{\rho^2 + (\zeta +
+d)^2}$ from the sphere's centre, and $q - R$ from the sphere. The core's rim is on the sphere, $R^2 = r_1^2 + d^2$. With
+$\rho = s\,(1 - p^2)/(1 + p^2)$, $\zeta + d = 2 s p/(1 + p^2)$ the root is $s$.)");
+  document.shipped("formula::core_sphere_distance", "shape/surface.hpp");
+  const possymbol s("s");
+  const possymbol p("p");
+  const ex rho = s * (1 - pow(p, 2)) / (1 + pow(p, 2));
+  const ex zeta = 2 * s * p / (1 + pow(p, 2)) - stone.sphere_offset;
+  const ex distance = formula::core_sphere_distance<ex>(stone, rho, zeta, s);
+  document.prove({.text = "it is $q - R$",
+                  .result = distance,
+                  .witness = s - stone.core_sphere_radius,
+                  .controls = scaled(distance)});
+}
+
+void impact(Document& document, const goishi::Stone<ex>& stone, const Torus& torus) {
+  document.section("The bound of the time of impact");
+  document.text(
+      R"(A flying stone's axis has the height component $u = A + B\cos\Omega t + C\sin\Omega t$, and the gap to a plane is
+$H = h_0 + v t - g t^2/2 - S(u)$. So $H'' = -g - S''(u)\,u'^2 - S'(u)\,u''$. On a cap $S = r - d|u|$; on the rim $S = r_1
+\sqrt{1 - u^2} + r_2$.)");
+  const realsymbol A("A");
+  const realsymbol B("B");
+  const realsymbol C("C");
+  const possymbol rate("Omega", R"(\Omega)");
+  const realsymbol time("time", "t");
+  const ex u = A + B * cos(rate * time) + C * sin(rate * time);
+  const realsymbol c("c");
+  const realsymbol sine("sn", R"(\sin\Omega t)");
+  const auto in_letters = [&](const ex& e) {
+    return e.subs(exmap{{cos(rate * time), c}, {sin(rate * time), sine}}).expand();
+  };
+  const ex sum = in_letters(pow(u.diff(time, 2), 2) + pow(rate * u.diff(time), 2));
+  document.prove(
+      {.text = R"($u''^2 + \Omega^2 u'^2 = \Omega^4 (B^2 + C^2)$, and so $|u''| \le \Omega^2 \sqrt{B^2 + C^2}$)",
+       .result = sum.subs(pow(sine, 2) == 1 - pow(c, 2)).expand(),
+       .witness = (pow(rate, 4) * (pow(B, 2) + pow(C, 2))),
+       .controls = scaled(sum.subs(pow(sine, 2) == 1 - pow(c, 2)))});
+  // u = 2k/(1 + k²) on the rim, so that √(1 − u²) is rational.
+  const possymbol k("k");
+  const ex on_rim = 2 * k / (1 + pow(k, 2));
+  const ex root = (1 - pow(k, 2)) / (1 + pow(k, 2));
+  const auto by_u = [&](const ex& e) { return (e.diff(k) / on_rim.diff(k)).normal(); };
+  const ex slope = by_u(formula::rim_support<ex>(stone, root));
+  document.prove({.text = R"(on the rim $S' = -r_1 u/\sqrt{1 - u^2}$)",
+                  .result = slope,
+                  .witness = -stone.bevel_major_radius * on_rim / root,
+                  .controls = scaled(slope)});
+  document.prove({.text = R"(and $S'' = -r_1/(1 - u^2)^{3/2} < 0$: it falls, up to the joint)",
+                  .result = by_u(slope),
+                  .witness = -stone.bevel_major_radius / pow(root, 3),
+                  .controls = scaled(by_u(slope))});
+  const ex at_joint = stone.bevel_major_radius * torus.joint.sine / torus.joint.cosine;
+  document.prove({.text = R"(where it is $-d$, the cap's: $|S'| \le d$ everywhere)",
+                  .result = at_joint,
+                  .witness = stone.sphere_offset,
+                  .controls = scaled(at_joint)});
+  document.text(
+      R"(With $S'' \le 0$ and $|S'| \le d$, $H'' \ge -M$ with $M = g + d\,\Omega^2\sqrt{B^2 + C^2}$, and from $H \ge 0$ the
+step $s$ with $H + H's - Ms^2/2 = 0$ cannot pass a root.)");
+}
+
+}  // namespace
+
+int main() {
+  return derive("The support function of the stone", [](Document& document) {
+    const Torus torus;
+    const goishi::Stone<ex> stone = stone_of(torus);
+    const Direction n;
+    cap(document, stone, n);
+    rim(document, stone, n);
+    joint(document, stone, torus, n);
+    core(document, stone);
+    impact(document, stone, torus);
+  });
+}

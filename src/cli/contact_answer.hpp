@@ -1,0 +1,47 @@
+#pragma once
+/// \file
+/// What `goishi contact` answers: the separation with 50 digits, the time of impact in double.
+
+// The search over an octant copies its signs, which are cheap but for a Number.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wrange-loop-construct"
+#include <goishi/contact/time_of_impact.hpp>
+#pragma GCC diagnostic pop
+#include <optional>
+#include <string_view>
+
+#include "subject.hpp"
+
+namespace goishi::cli {
+
+enum class Against { board, plane, stone };
+
+/// What was asked.
+struct ContactQuestion {
+  Subject subject;
+  Stone<Number> stone;
+  Pose<Number> pose;
+  Against against = Against::board;
+  int lines = 0;             // of the board
+  Pose<Number> other;        // of the other stone
+  Vec3<Number> v_WB;         // if a horizon was given, these, too
+  Vec3<Number> L_W;          // per unit of density
+  Number transverse_moment;  // likewise
+  Number gravity;
+  std::optional<Number> horizon;
+};
+
+struct ContactAnswer {
+  Separation<Number> contact;
+  std::optional<Region> region;                // against the board
+  std::optional<TimeOfImpact<double>> impact;  // with a horizon
+};
+
+/// A number below this part of the lengths that it came from is round-off and becomes 0; a stone that only touches has
+/// the gap 0.
+inline constexpr std::string_view least_length = "1e-28";
+
+/// InvalidArgument for a flight whose numbers are beyond the range of a double.
+[[nodiscard]] ContactAnswer answer_to(const ContactQuestion& question);
+
+}  // namespace goishi::cli

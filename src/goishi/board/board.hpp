@@ -1,0 +1,140 @@
+#pragma once
+/// \file
+/// The board: lines, star points, sides; its nine regions.
+
+#include <goishi/error.hpp>
+#include <goishi/rotation.hpp>
+#include <goishi/scalar.hpp>
+#include <string_view>
+#include <vector>
+
+namespace goishi {
+
+/// A board in frame W: the playing surface is z = 0, its middle the origin, the lines run along x and y. For contact it
+/// is infinitely deep: a stone that falls beside it meets its sides, whatever the height.
+template <class T>
+struct Board {
+  int lines = 0;
+  T spacing_x = scalar::unset<T>();  // [m] between neighbouring lines, along x
+  T spacing_y = scalar::unset<T>();
+  T half_width = scalar::unset<T>();   // [m] along x
+  T half_length = scalar::unset<T>();  // [m] along y
+  T thickness = scalar::unset<T>();    // [m]
+  T floor = scalar::unset<T>();        // [m] z of the floor, at or below −thickness
+};
+
+/// What a board is made from   [m].
+template <class T>
+struct BoardDimensions {
+  int lines = 19;
+  T spacing_x = T(22) / T(1000);
+  T spacing_y = T(237) / T(10000);
+  T border_x = T(141) / T(10000);  // from the outermost line to the side
+  T border_y = T(1395) / T(100000);
+  T thickness = T(1515) / T(10000);
+  T legs = T(0);  // height of the board's underside over the floor
+};
+
+/// Domain  lines >= 1, spacings and thickness > 0, borders and legs >= 0, all finite; else InvalidArgument. The default is
+///         the real 19-line board, 424.2 × 454.5 × 151.5 mm.
+template <Ordered T>
+[[nodiscard]] Board<T> make_board(const BoardDimensions<T>& dimensions = {}) {
+  const auto require_not_negative = [](const char* argument, const T& value) {
+    require(!(value < T(0)) && scalar::is_finite(value), argument, value, "must be finite and at least 0");
+  };
+  require(dimensions.lines >= 1, "lines", dimensions.lines, "must be at least 1");
+  require_positive("spacing_x", dimensions.spacing_x);
+  require_positive("spacing_y", dimensions.spacing_y);
+  require_positive("thickness", dimensions.thickness);
+  require_not_negative("border_x", dimensions.border_x);
+  require_not_negative("border_y", dimensions.border_y);
+  require_not_negative("legs", dimensions.legs);
+  const T steps = static_cast<T>(dimensions.lines - 1);
+  const T half_width = steps * dimensions.spacing_x / T(2) + dimensions.border_x;
+  const T half_length = steps * dimensions.spacing_y / T(2) + dimensions.border_y;
+  require(T(0) < half_width, "border_x", dimensions.border_x, "must be positive on a board with one line");
+  require(T(0) < half_length, "border_y", dimensions.border_y, "must be positive on a board with one line");
+  return {.lines = dimensions.lines,
+          .spacing_x = dimensions.spacing_x,
+          .spacing_y = dimensions.spacing_y,
+          .half_width = half_width,
+          .half_length = half_length,
+          .thickness = dimensions.thickness,
+          .floor = -(dimensions.thickness + dimensions.legs)};
+}
+
+/// The point where line i along x and line j along y cross, counted from 0 at the lower left; in W, on the surface.
+/// Domain  0 <= i, j < lines, else InvalidArgument.
+template <Ordered T>
+[[nodiscard]] Vec3<T> intersection(const Board<T>& board, int i, int j) {
+  require(0 <= i && i < board.lines, "i", i, "must be a line of the board (0 … ", board.lines - 1, ")");
+  require(0 <= j && j < board.lines, "j", j, "must be a line of the board (0 … ", board.lines - 1, ")");
+  const auto place = [&](int line, const T& spacing) {
+    return T(static_cast<T>(2 * line - (board.lines - 1)) / T(2) * spacing);
+  };
+  return {place(i, board.spacing_x), place(j, board.spacing_y), T(0)};
+}
+
+/// The star points, as pairs of lines: nine on 19 lines, five on 13 and on 9, the middle alone on other odd boards.
+template <Ordered T>
+[[nodiscard]] std::vector<std::pair<int, int>> star_points(const Board<T>& board) {
+  const int n = board.lines;
+  const int middle = (n - 1) / 2;
+  std::vector<std::pair<int, int>> points;
+  const int corner = n == 9 ? 2 : 3;
+  if (n == 9 || n == 13 || n == 19) {
+    for (const int i : {corner, n - 1 - corner}) {
+      for (const int j : {corner, n - 1 - corner}) {
+        points.emplace_back(i, j);
+      }
+    }
+  }
+  if (n == 19) {
+    points.insert(points.end(),
+                  {{corner, middle}, {n - 1 - corner, middle}, {middle, corner}, {middle, n - 1 - corner}});
+  }
+  if (n % 2 == 1) {
+    points.emplace_back(middle, middle);
+  }
+  return points;
+}
+
+/// The talk's nine regions, and beyond: where a stone's centre is, seen from above, by the features that it can touch.
+/// `primary`: the surface only; a side: the surface, that side, and the edge between; a corner: two sides, three edges
+/// and their corner; `out_of_reach`: nothing.
+enum class Region { primary, left, right, bottom, top, bottom_left, bottom_right, top_left, top_right, out_of_reach };
+
+[[nodiscard]] constexpr std::string_view to_string(Region region) {
+  constexpr std::string_view names[] = {
+      "primary",          "left side",          "right side",          "bottom side",
+      "top side",         "bottom-left corner", "bottom-right corner", "top-left corner",
+      "top-right corner", "out of reach"};
+  return names[static_cast<std::size_t>(region)];
+}
+
+/// The region of a body whose centre is at p_W and which lies within `reach` of it. x goes from left to right, y from
+/// bottom to top.   Domain  finite p, reach >= 0.
+template <Ordered T>
+[[nodiscard]] Region region_of(const Board<T>& board, const Vec3<T>& p_W, const T& reach) {
+  const T x = p_W.x() < T(0) ? T(-p_W.x()) : p_W.x();
+  const T y = p_W.y() < T(0) ? T(-p_W.y()) : p_W.y();
+  if (board.half_width + reach < x || board.half_length + reach < y || reach < p_W.z()) {
+    return Region::out_of_reach;
+  }
+  const bool beside_x = board.half_width - reach < x;
+  const bool beside_y = board.half_length - reach < y;
+  const bool left = p_W.x() < T(0);
+  const bool bottom = p_W.y() < T(0);
+  if (beside_x && beside_y) {
+    return bottom ? (left ? Region::bottom_left : Region::bottom_right) : (left ? Region::top_left : Region::top_right);
+  }
+  if (beside_x) {
+    return left ? Region::left : Region::right;
+  }
+  if (beside_y) {
+    return bottom ? Region::bottom : Region::top;
+  }
+  return Region::primary;
+}
+
+}  // namespace goishi

@@ -1,0 +1,209 @@
+#pragma once
+/// \file
+/// An edge of the board: a quarter circle of normals n = a cos t + b sin t, and the separation along them.
+
+#include <goishi/contact/contact.hpp>
+#include <limits>
+
+namespace goishi::detail {
+
+/// The stone's centre, relative to the edge, and its axis, along the two normals a and b; `u_out` is the axis along the edge.
+template <class T>
+struct Arc {
+  T p_a, p_b;
+  T u_a, u_b, u_out;
+};
+
+/// A normal of the arc, what the separation is there, and its slope by t.
+template <class T>
+struct ArcPoint {
+  T a, b;  // cos t, sin t
+  T value, slope;
+  T curvature;  // −f'' = f + ρ, ρ the radius of curvature of the stone's outline
+  T axial;      // m = u · n
+  // κ: the core's support point is (…) n − κ u, so p + κ u is what the separation turns about: f' = (p + κ u) · n'.
+  T lever;
+};
+
+template <Ordered T>
+[[nodiscard]] ArcPoint<T> arc_point(const Stone<T>& stone, const Arc<T>& arc, const T& a, const T& b) {
+  const T m = arc.u_a * a + arc.u_b * b;
+  const T m_rate = arc.u_b * a - arc.u_a * b;
+  const T square = scalar::sq(m_rate) + scalar::sq(arc.u_out);  // 1 − m², where nothing cancels
+  const Direction<T> n{.axial = m < T(0) ? T(-m) : m, .radial = scalar::sqrt(square), .radial_square = square};
+  const T centre = arc.p_a * a + arc.p_b * b, centre_rate = arc.p_b * a - arc.p_a * b;
+  if (meets_cap(stone, n)) {
+    const T lever = m < T(0) ? T(-stone.sphere_offset) : stone.sphere_offset;
+    const T value = centre - formula::cap_support(stone, n.axial, square);
+    return {a, b, value, T(centre_rate + lever * m_rate), T(value + stone.sphere_radius), m, lever};
+  }
+  // The rim's outline is an ellipse, moved out by r₂.
+  const T value = centre - formula::rim_support(stone, n.radial);
+  const T ring = stone.bevel_major_radius / n.radial;
+  const T lever = ring * m;
+  return {a,
+          b,
+          value,
+          T(centre_rate + lever * m_rate),
+          T(value + ring * scalar::sq(arc.u_out) / square + stone.bevel_minor_radius),
+          m,
+          lever};
+}
+
+/// Whether the cores of stone and board are apart along a normal. A local maximum of the separation where they are is the
+/// only one: it is the distance of two convex bodies.
+template <Ordered T>
+[[nodiscard]] bool is_apart(const Stone<T>& stone, const ArcPoint<T>& point) {
+  return T(0) < point.value + stone.bevel_minor_radius;
+}
+
+/// The maximum on the cap that looks along `sign` u: n along p + sign d u, `reach` its length; the cores are apart there
+/// if it is longer than R. False where there is none.
+template <Ordered T>
+[[nodiscard]] bool has_cap_maximum(const Stone<T>& stone, const Arc<T>& arc, const T& sign, T& a, T& b, T& reach) {
+  a = arc.p_a + sign * stone.sphere_offset * arc.u_a;
+  b = arc.p_b + sign * stone.sphere_offset * arc.u_b;
+  if (!(T(0) < a && T(0) < b)) {
+    return false;
+  }
+  // sin α |n| <= m, by squares.
+  const T size2 = scalar::sq(a) + scalar::sq(b);
+  const T m = sign * (arc.u_a * a + arc.u_b * b);
+  if (!(T(0) <= m && scalar::sq(stone.joint_sine) * size2 <= scalar::sq(m))) {
+    return false;
+  }
+  reach = scalar::sqrt(size2);
+  a = a / reach;
+  b = b / reach;
+  return true;
+}
+
+/// The normal that divides the chord of two others.
+template <Ordered T>
+[[nodiscard]] ArcPoint<T> between(const Stone<T>& stone, const Arc<T>& arc, const ArcPoint<T>& low,
+                                  const ArcPoint<T>& high, const T& weight) {
+  const T a = low.a + weight * (high.a - low.a), b = low.b + weight * (high.b - low.b);
+  const T over = T(1) / scalar::sqrt(T(scalar::sq(a) + scalar::sq(b)));
+  return arc_point(stone, arc, T(a * over), T(b * over));
+}
+
+/// Whether Newton's method may stop after a step: what a step leaves is, where it converges, step³/previous², and that is
+/// to be nothing beside what a normal is good for. Where the curvature changes fast (a sharp rim that touches), steps do
+/// not shrink by their squares, and it goes on.
+template <Ordered T>
+[[nodiscard]] bool leaves_nothing(const T& step2, const T& previous2) {
+  const T epsilon = std::numeric_limits<T>::epsilon();
+  return step2 <= T(4096) * epsilon && step2 * scalar::sq(step2) <= scalar::sq(T(T(256) * epsilon * previous2));
+}
+
+/// The normal of a point turned by a step that is the last.
+template <Ordered T>
+void finish(ArcPoint<T>& point, const T& step) {
+  const T over = T(1) / scalar::sqrt(T(T(1) + scalar::sq(step)));
+  const T a = over * (point.a - step * point.b), b = over * (point.b + step * point.a);
+  point.a = a;
+  point.b = b;
+  point.slope = T(0);
+}
+
+/// A zero of the slope between two normals, positive at the first and negative at the second: Newton's method, and
+/// bisection where it leaves the interval or does not halve the slope.
+template <Ordered T>
+[[nodiscard]] ArcPoint<T> bracketed(const Stone<T>& stone, const Arc<T>& arc, ArcPoint<T> low, ArcPoint<T> high) {
+  constexpr int most_steps = 100;
+  const T weight = low.slope / (low.slope - high.slope);
+  ArcPoint<T> now = between(stone, arc, low, high, weight);
+  T previous2(0);
+  for (int i = 0; i < most_steps; ++i) {
+    const T size = now.slope < T(0) ? T(-now.slope) : now.slope;
+    if (!(T(0) < size)) {
+      break;
+    }
+    (T(0) < now.slope ? low : high) = now;
+    const T step = now.slope / now.curvature;
+    const T a = now.a - step * now.b, b = now.b + step * now.a;
+    const bool inside = T(0) < now.curvature && T(0) < low.a * b - low.b * a && T(0) < a * high.b - b * high.a;
+    if (inside) {
+      if (leaves_nothing(scalar::sq(step), previous2)) {
+        finish(now, step);
+        break;
+      }
+      previous2 = scalar::sq(step);
+      const T over = T(1) / scalar::sqrt(T(scalar::sq(a) + scalar::sq(b)));
+      now = arc_point(stone, arc, T(a * over), T(b * over));
+      if (T(2) * (now.slope < T(0) ? T(-now.slope) : now.slope) <= size) {
+        continue;
+      }
+      (T(0) < now.slope ? low : high) = now;
+    }
+    if (scalar::sq(T(high.a - low.a)) + scalar::sq(T(high.b - low.b)) <=
+        scalar::sq(std::numeric_limits<T>::epsilon())) {
+      break;
+    }
+    previous2 = T(0);
+    now = between(stone, arc, low, high, T(T(1) / T(2)));
+  }
+  now.slope = T(0);
+  return now;
+}
+
+/// Newton's method from where the rim would be met if the stones touched: there the core's gap is r₂, and
+/// n ∥ p + κ u with κ = (p · u) r₁²/(r₁² u_out² + r₁ r₂), p and u across the edge. False where it leaves the arc or takes
+/// its time.
+template <Ordered T>
+[[nodiscard]] bool find_rim_maximum(const Stone<T>& stone, const Arc<T>& arc, ArcPoint<T>& found) {
+  constexpr int most_steps = 6;
+  const T& r1 = stone.bevel_major_radius;
+  const T lever =
+      (arc.p_a * arc.u_a + arc.p_b * arc.u_b) * r1 / (r1 * scalar::sq(arc.u_out) + stone.bevel_minor_radius);
+  T a = arc.p_a + lever * arc.u_a, b = arc.p_b + lever * arc.u_b;
+  T previous2(0);
+  for (int i = 0; i < most_steps; ++i) {
+    if (!(T(0) < a && T(0) < b)) {
+      return false;
+    }
+    const T over = T(1) / scalar::sqrt(T(scalar::sq(a) + scalar::sq(b)));
+    found = arc_point(stone, arc, T(a * over), T(b * over));
+    const T step = found.slope / found.curvature;
+    const T step2 = scalar::sq(step);
+    if (leaves_nothing(step2, previous2)) {
+      finish(found, step);
+      return is_apart(stone, found);
+    }
+    previous2 = step2;
+    a = found.a - step * found.b;
+    b = found.b + step * found.a;
+  }
+  return false;
+}
+
+/// Finds the greatest separation of an arc if the cores are apart there; else false.
+template <Ordered T>
+[[nodiscard]] bool find_apart(const Stone<T>& stone, const Arc<T>& arc, ArcPoint<T>& found) {
+  for (const T& sign : {T(1), T(-1)}) {
+    T a, b, reach;
+    if (has_cap_maximum(stone, arc, sign, a, b, reach) && stone.core_sphere_radius < reach) {
+      found = {.a = a,
+               .b = b,
+               .value = reach - stone.sphere_radius,
+               .slope = T(0),
+               .curvature = reach,
+               .axial = arc.u_a * a + arc.u_b * b,
+               .lever = sign * stone.sphere_offset};
+      return true;
+    }
+  }
+  if (find_rim_maximum(stone, arc, found)) {
+    return true;
+  }
+  const ArcPoint<T> first = arc_point(stone, arc, T(1), T(0));
+  if (!(T(0) < first.slope)) {
+    found = first;
+    return is_apart(stone, found);
+  }
+  const ArcPoint<T> last = arc_point(stone, arc, T(0), T(1));
+  found = last.slope < T(0) ? bracketed(stone, arc, first, last) : last;
+  return is_apart(stone, found);
+}
+
+}  // namespace goishi::detail

@@ -1,0 +1,109 @@
+#pragma once
+/// \file
+/// The gaps between many stones and a plane at once: groups of as many stones as a SIMD register holds, by the formulas
+/// that one stone goes through.
+
+#include <cstddef>
+#include <experimental/simd>
+#include <goishi/contact/stone_plane.hpp>
+#include <goishi/error.hpp>
+#include <span>
+#include <vector>
+
+namespace goishi {
+
+/// The gaps of a register of stones: height over the plane, μ = u · n (of either sign), and n_r² = |n − μ u|². Both
+/// formulas run, and each lane takes its own: a cap or the rim.
+///
+/// Domain  SIMD batches of float or double.
+template <scalar::detail::SimdBatch Lanes>
+[[nodiscard]] Lanes plane_gap(const Stone<Lanes>& stone, const Lanes& height, const Lanes& signed_axial,
+                              const Lanes& radial_square) {
+  using std::experimental::abs;
+  const Lanes axial = abs(signed_axial);
+  const Lanes radial = scalar::sqrt(radial_square);
+  Lanes gap = formula::rim_gap(stone, height, radial);
+  where(radial * stone.joint_sine <= axial * stone.joint_cosine, gap) =
+      formula::cap_gap(stone, height, axial, radial_square);
+  return gap;
+}
+
+/// Stones of any sizes in poses of their own, to be asked for their gaps to planes.
+///
+///     PlaneBatch<double> stones(1000);
+///     stones.set(0, stone, pose);      // and so on; a place that was not set has the gap NaN
+///     std::vector<double> gaps(1000);
+///     stones.gaps(Plane<double>{}, gaps);
+template <std::floating_point T>
+class PlaneBatch {
+ public:
+  using Lanes = std::experimental::native_simd<T>;
+  static constexpr std::size_t lanes = Lanes::size();
+
+  explicit PlaneBatch(std::size_t count) : count_(count), groups_((count + lanes - 1) / lanes) {}
+
+  [[nodiscard]] std::size_t size() const { return count_; }
+
+  /// Domain  a finite pose with a unit attitude; index below `size()`; else InvalidArgument.
+  void set(std::size_t index, const Stone<T>& stone, const Pose<T>& pose) {
+    require(index < count_, "index", index, "must be below the number of stones (", count_, ")");
+    const detail::Placed<T> placed = detail::place(stone, pose);
+    Group& group = groups_[index / lanes];
+    const std::size_t lane = index % lanes;
+    for (std::size_t i = 0; i < 3; ++i) {
+      group.p_W[i][lane] = placed.p_W[static_cast<Eigen::Index>(i)];
+      group.u_W[i][lane] = placed.u_W[static_cast<Eigen::Index>(i)];
+    }
+    group.stone.height[lane] = stone.height;
+    group.stone.sphere_offset[lane] = stone.sphere_offset;
+    group.stone.bevel_major_radius[lane] = stone.bevel_major_radius;
+    group.stone.bevel_minor_radius[lane] = stone.bevel_minor_radius;
+    group.stone.joint_cosine[lane] = stone.joint_cosine;
+    group.stone.joint_sine[lane] = stone.joint_sine;
+  }
+
+  /// The gap of every stone   [m], as `separation` gives it.
+  ///
+  /// Domain  a unit normal, a finite offset, room for `size()` gaps; else InvalidArgument.
+  /// Error   as `separation`'s. The last bits differ: Eigen adds up three products in an order of its own.
+  void gaps(const Plane<T>& plane, std::span<T> gaps) const {
+    detail::require_direction(plane.n_W);
+    require(scalar::is_finite(plane.offset), "offset", plane.offset, "must be finite");
+    require(gaps.size() == count_, "gaps", gaps.size(), "must have room for each stone (", count_, ")");
+    const Lanes n[3] = {plane.n_W.x(), plane.n_W.y(), plane.n_W.z()};
+    const Lanes offset(plane.offset);
+    const std::size_t whole = count_ / lanes;
+    for (std::size_t i = 0; i < whole; ++i) {
+      gap_of(groups_[i], n, offset).copy_to(gaps.data() + i * lanes, std::experimental::element_aligned);
+    }
+    if (whole < groups_.size()) {
+      const Lanes last = gap_of(groups_[whole], n, offset);
+      for (std::size_t i = whole * lanes; i < count_; ++i) {
+        gaps[i] = last[i % lanes];
+      }
+    }
+  }
+
+ private:
+  /// Only what a gap needs. Not on Eigen, which would have to know batches.
+  struct Group {
+    Stone<Lanes> stone;  // its other fields stay NaN
+    Lanes p_W[3] = {unset(), unset(), unset()};
+    Lanes u_W[3] = {unset(), unset(), unset()};
+
+    static Lanes unset() { return scalar::unset<Lanes>(); }
+  };
+
+  static Lanes dot(const Lanes (&a)[3], const Lanes (&b)[3]) { return a[0] * b[0] + (a[1] * b[1] + a[2] * b[2]); }
+
+  static Lanes gap_of(const Group& group, const Lanes (&n)[3], const Lanes& offset) {
+    const Lanes axial = dot(group.u_W, n);
+    const Lanes radial[3] = {n[0] - axial * group.u_W[0], n[1] - axial * group.u_W[1], n[2] - axial * group.u_W[2]};
+    return plane_gap(group.stone, Lanes(dot(n, group.p_W) - offset), axial, dot(radial, radial));
+  }
+
+  std::size_t count_;
+  std::vector<Group> groups_;
+};
+
+}  // namespace goishi

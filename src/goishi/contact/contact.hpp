@@ -1,0 +1,159 @@
+#pragma once
+/// \file
+/// What every contact query answers, and a stone as contact sees it.
+///
+/// One rule for every pair: the separation is the greatest value, over all unit normals n, of what lies between the two
+/// bodies in the direction n. The n that gives it is the contact normal *and* the direction to push out along; its value
+/// is the gap, or minus the depth; the two support points are the contact points.
+
+#include <goishi/error.hpp>
+#include <goishi/rotation.hpp>
+#include <goishi/scalar.hpp>
+#include <goishi/shape/stone.hpp>
+#include <goishi/shape/surface.hpp>
+#include <string_view>
+
+namespace goishi {
+
+/// Where a body is, and how it stands. NaN until set.
+template <class T>
+struct Pose {
+  Vec3<T> p_WB = Vec3<T>::Constant(scalar::unset<T>());
+  Quat<T> q_WB = Quat<T>(scalar::unset<T>(), scalar::unset<T>(), scalar::unset<T>(), scalar::unset<T>());
+};
+
+enum class SeparationStatus {
+  separated,
+  overlapping,   // gap < 0: the bodies share points, −gap deep
+  not_converged  // the certificate was not reached: `gap` is a lower bound of the separation
+};
+
+[[nodiscard]] constexpr std::string_view to_string(SeparationStatus status) {
+  switch (status) {
+    case SeparationStatus::separated:
+      return "separated";
+    case SeparationStatus::overlapping:
+      return "overlapping";
+    case SeparationStatus::not_converged:
+      break;
+  }
+  return "not converged";
+}
+
+/// What the stone touches, or would.
+enum class OtherFeature { surface, side, top_edge, vertical_edge, corner, stone };
+
+[[nodiscard]] constexpr std::string_view to_string(OtherFeature feature) {
+  constexpr std::string_view names[] = {"surface", "side", "top edge", "vertical edge", "corner", "stone"};
+  return names[static_cast<std::size_t>(feature)];
+}
+
+template <class T>
+struct Separation {
+  SeparationStatus status = SeparationStatus::not_converged;
+  T gap = scalar::unset<T>();                               // [m], < 0: depth
+  Vec3<T> n_W = Vec3<T>::Constant(scalar::unset<T>());      // unit, out of the other body towards the stone
+  Vec3<T> p_stone = Vec3<T>::Constant(scalar::unset<T>());  // contact point on the stone, in W
+  Vec3<T> p_other = Vec3<T>::Constant(scalar::unset<T>());  // on the other body: p_stone − gap n
+  Feature feature = Feature::rim;
+  OtherFeature other_feature = OtherFeature::surface;
+  bool certified = true;  // no normal separates more: proved by the method, or by equal primal and dual values
+};
+
+namespace detail {
+
+/// A stone in the world: all that contact needs of its attitude is the axis.
+template <class T>
+struct Placed {
+  const Stone<T>& stone;
+  Vec3<T> p_W;
+  Vec3<T> u_W;  // symmetry axis
+};
+
+template <Ordered T>
+[[nodiscard]] Placed<T> place(const Stone<T>& stone, const Pose<T>& pose) {
+  require(T(0) < stone.height, "stone", stone.height, "must be one of make_stone (its height is shown)");
+  require_point(pose.p_WB, "position");
+  require_unit(pose.q_WB);
+  return {.stone = stone, .p_W = pose.p_WB, .u_W = formula::symmetry_axis(formula::reunited(pose.q_WB))};
+}
+
+/// A unit normal as a placed stone sees it.
+template <class T>
+struct SeenNormal {
+  T signed_axial;       // u · n
+  Vec3<T> radial_part;  // n − (u · n) u
+  Direction<T> direction;
+};
+
+// Sums of products by component: Eigen would read pairs that were just written one by one, and wait for them.
+
+template <Ordered T>
+[[nodiscard]] T dot(const Vec3<T>& a, const Vec3<T>& b) {
+  return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
+}
+
+/// α a + β b.
+template <Ordered T>
+[[nodiscard]] Vec3<T> sum(const T& alpha, const Vec3<T>& a, const T& beta, const Vec3<T>& b) {
+  return {T(alpha * a.x() + beta * b.x()), T(alpha * a.y() + beta * b.y()), T(alpha * a.z() + beta * b.z())};
+}
+
+template <Ordered T>
+[[nodiscard]] SeenNormal<T> see(const Vec3<T>& u_W, const Vec3<T>& n_W) {
+  const T axial = dot(u_W, n_W);
+  SeenNormal<T> seen{.signed_axial = axial, .radial_part = sum(T(1), n_W, T(-axial), u_W), .direction = {}};
+  const T square = dot(seen.radial_part, seen.radial_part);
+  seen.direction = {.axial = axial < T(0) ? T(-axial) : axial, .radial = scalar::sqrt(square), .radial_square = square};
+  return seen;
+}
+
+template <Ordered T>
+[[nodiscard]] T support_value(const Stone<T>& stone, const Direction<T>& n) {
+  return meets_cap(stone, n) ? formula::cap_support(stone, n.axial, n.radial_square)
+                             : formula::rim_support(stone, n.radial);
+}
+
+/// The support point relative to the centre, in W, and its feature.
+template <class T>
+struct SupportPoint {
+  Vec3<T> x_W;
+  Feature feature;
+};
+
+/// Both are formed and one is taken: which of them it is, is as good as random, and a branch would be guessed wrong.
+template <Ordered T>
+[[nodiscard]] SupportPoint<T> support_point(const Stone<T>& stone, const Vec3<T>& u_W, const SeenNormal<T>& seen) {
+  const Direction<T>& n = seen.direction;
+  const bool cap = meets_cap(stone, n);
+  const bool upper = !(seen.signed_axial < T(0));
+  const T height = formula::cap_support_height(stone, n.axial, n.radial_square);
+  const T ring = stone.bevel_major_radius / n.radial;
+  const T across = cap ? stone.sphere_radius : T(ring + stone.bevel_minor_radius);
+  const T along = cap ? (upper ? height : T(-height)) : T(stone.bevel_minor_radius * seen.signed_axial);
+  const Feature on_cap = upper ? Feature::upper_cap : Feature::lower_cap;
+  return {.x_W = sum(across, seen.radial_part, along, u_W), .feature = cap ? on_cap : Feature::rim};
+}
+
+/// The separation along a unit normal, complete but for `other_feature` and `unique`. `offset` is how far the other body
+/// reaches in its direction: the greatest n · x over it.
+template <Ordered T>
+[[nodiscard]] Separation<T> separation_along(const Placed<T>& placed, const Vec3<T>& n_W, const T& offset) {
+  const SeenNormal<T> seen = see<T>(placed.u_W, n_W);
+  // The stone is its own mirror image: its support point in −n is minus that in n.
+  const SupportPoint<T> support = support_point(placed.stone, placed.u_W, seen);
+  Separation<T> result;
+  result.gap = dot(n_W, placed.p_W) - offset - support_value(placed.stone, seen.direction);
+  result.status = result.gap < T(0) ? SeparationStatus::overlapping : SeparationStatus::separated;
+  result.n_W = n_W;
+  result.p_stone = sum(T(1), placed.p_W, T(-1), support.x_W);
+  result.p_other = sum(T(1), result.p_stone, T(-result.gap), n_W);
+  result.feature = support.feature == Feature::upper_cap   ? Feature::lower_cap
+                   : support.feature == Feature::lower_cap ? Feature::upper_cap
+                                                           : Feature::rim;
+  return result;
+}
+
+}  // namespace detail
+
+}  // namespace goishi

@@ -1,0 +1,178 @@
+#pragma once
+/// \file
+/// The best of the board's normals in one octant, which is all that one corner of the board has: the surface, two sides,
+/// three edges and the corner.
+
+#include <goishi/contact/arc.hpp>
+#include <goishi/contact/arc_search.hpp>
+#include <goishi/contact/contact.hpp>
+#include <limits>
+
+namespace goishi::detail {
+
+/// What of the board a stone needs to be asked about, besides the surface.
+struct Needs {
+  bool side_x, side_y;
+};
+
+template <class T>
+struct OctantMaximum {
+  T value = -std::numeric_limits<T>::infinity();
+  Vec3<T> n = Vec3<T>::Zero();
+  bool certified = true;
+};
+
+/// All vectors have the signs of the octant taken off: the board's corner is at the origin and fills x, y, z < 0.
+template <Ordered T>
+class Octant {
+ public:
+  Octant(const Stone<T>& stone, const Vec3<T>& p, const Vec3<T>& u) : stone_(stone), p_(p), u_(u) {}
+
+  /// The greatest separation. Mostly the cores are apart, and the first normal that meets the conditions of a maximum is
+  /// the only one; else all are searched.
+  [[nodiscard]] OctantMaximum<T> maximum(Needs needs) const {
+    OctantMaximum<T> best;
+    const bool found = needs.side_x && needs.side_y ? find_apart_at_corner(best)
+                                                    : find_apart_on_edge(2, needs.side_x ? 0 : 1, false, best);
+    if (!found) {
+      search(needs, best);
+    }
+    return best;
+  }
+
+ private:
+  [[nodiscard]] Arc<T> arc(int i, int j) const { return {p_[i], p_[j], u_[i], u_[j], u_[3 - i - j]}; }
+
+  static void accept(int i, int j, const ArcPoint<T>& point, OctantMaximum<T>& best) {
+    if (best.value < point.value) {
+      best.value = point.value;
+      best.n[i] = point.a;
+      best.n[j] = point.b;
+      best.n[3 - i - j] = T(0);
+    }
+  }
+
+  static void accept(const T& value, const Vec3<T>& n, OctantMaximum<T>& best) {
+    if (best.value < value) {
+      best.value = value;
+      best.n = n;
+    }
+  }
+
+  /// `bounded`: the normal may also turn towards the third face, so that it must not gain there.
+  [[nodiscard]] bool find_apart_on_edge(int i, int j, bool bounded, OctantMaximum<T>& best) const {
+    const Arc<T> edge = arc(i, j);
+    ArcPoint<T> found;
+    const bool apart = find_apart(stone_, edge, found);
+    accept(i, j, found, best);
+    if (!apart || !bounded) {
+      return apart;
+    }
+    const int k = 3 - i - j;
+    return !(T(0) < p_[k] + arc_point(stone_, edge, found.a, found.b).lever * u_[k]);
+  }
+
+  /// The corner seen from the nearest point of the core's rim. Put together along the radial direction and the axis: where
+  /// a sharp rim all but touches the corner, what is left are the digits of two lengths, and any that they leave is a
+  /// normal there.
+  struct CornerFromRim {
+    T height;  // of the stone's centre over the corner, along u
+    T beyond;  // how far outside the rim's cylinder the corner is
+    Vec3<T> away;
+  };
+
+  [[nodiscard]] CornerFromRim corner_from_rim() const {
+    const T height = dot(u_, p_);
+    const Vec3<T> radial = sum(T(1), p_, T(-height), u_);
+    const T rho = scalar::sqrt(dot(radial, radial));
+    const T beyond = rho - stone_.bevel_major_radius;
+    return {.height = height, .beyond = beyond, .away = sum(T(beyond / rho), radial, height, u_)};
+  }
+
+  [[nodiscard]] bool find_apart_at_corner(OctantMaximum<T>& best) const {
+    const ArcPoint<T> surface = arc_point(stone_, arc(2, 0), T(1), T(0));
+    if (!(T(0) < surface.slope) && !(T(0) < p_.y() + surface.lever * u_.y()) && is_apart(stone_, surface)) {
+      accept(2, 0, surface, best);
+      return true;
+    }
+    // The corner's distance from the core: from a cap's sphere, or from the rim.
+    const CornerFromRim rim = corner_from_rim();
+    const T upwards = rim.height < T(0) ? T(-1) : T(1);
+    const bool cap = rim.beyond * stone_.sphere_offset <= stone_.bevel_major_radius * upwards * rim.height;
+    const Vec3<T> away = cap ? sum(T(1), p_, T(upwards * stone_.sphere_offset), u_) : rim.away;
+    const T reach = scalar::sqrt(dot(away, away));
+    const T core = cap ? T(reach - stone_.core_sphere_radius) : reach;
+    if (is_inside(away) && T(0) < core) {
+      accept(T(core - stone_.bevel_minor_radius), Vec3<T>(away / reach), best);
+      return true;
+    }
+    // The edges, that first which lies across what is most wrong of it.
+    int order[3] = {0, 1, 2};
+    const auto sort = [&](int& a, int& b) {
+      if (away[b] < away[a]) {
+        std::swap(a, b);
+      }
+    };
+    sort(order[0], order[1]);
+    sort(order[1], order[2]);
+    sort(order[0], order[1]);
+    for (const int k : order) {
+      if (find_apart_on_edge(k == 2 ? 0 : 2, k == 2 || k == 0 ? 1 : 0, true, best)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  [[nodiscard]] static bool is_inside(const Vec3<T>& n) { return T(0) < n.x() && T(0) < n.y() && T(0) < n.z(); }
+
+  void search(Needs needs, OctantMaximum<T>& best) const {
+    try_normal({T(0), T(0), T(1)}, best);
+    if (needs.side_x) {
+      search_edge(2, 0, best);
+    }
+    if (needs.side_y) {
+      search_edge(2, 1, best);
+    }
+    if (needs.side_x && needs.side_y) {
+      search_corner(best);
+      search_edge(0, 1, best);
+    }
+  }
+
+  /// From the normal of face i to that of face j, both included.
+  void search_edge(int i, int j, OctantMaximum<T>& best) const {
+    const Arc<T> edge = arc(i, j);
+    const ArcSearch<T> search(stone_, edge, best.value);
+    best.certified = best.certified && search.certified();
+    accept(i, j, search.best(), best);
+  }
+
+  /// Normals inside the octant: those of the corner and a cap, or the corner and the rim.
+  void search_corner(OctantMaximum<T>& best) const {
+    const T& d = stone_.sphere_offset;
+    for (const T& sign : {T(1), T(-1)}) {
+      const Vec3<T> along = sum(T(1), p_, T(sign * d), u_);
+      if (is_inside(along)) {
+        const Vec3<T> n = along / along.norm();
+        if (T(0) <= sign * dot(u_, n) && meets_cap(stone_, see<T>(u_, n).direction)) {
+          try_normal(n, best);
+        }
+      }
+    }
+    const CornerFromRim rim = corner_from_rim();
+    if (T(0) < rim.beyond && is_inside(rim.away)) {
+      try_normal(rim.away / rim.away.norm(), best);
+    }
+  }
+
+  void try_normal(const Vec3<T>& n, OctantMaximum<T>& best) const {
+    accept(T(dot(n, p_) - support_value(stone_, see<T>(u_, n).direction)), n, best);
+  }
+
+  const Stone<T>& stone_;
+  const Vec3<T>& p_;
+  const Vec3<T>& u_;
+};
+
+}  // namespace goishi::detail

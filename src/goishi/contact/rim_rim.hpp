@@ -1,0 +1,179 @@
+#pragma once
+/// \file
+/// The rims of two stones whose cores overlap: every normal at which the two could separate most.
+///
+/// At a maximum of g, g < 0, that both stones meet with their rims, −g is a *local minimum of the distance of the two rim
+/// circles*, each point the near one of the other circle and inside its cylinder: the second derivative of that distance is
+/// the determinant of H₁ + H₂ + g times what is positive. With c the circles' radii, k = c/n_r and β the angle between their
+/// tangents, −g <= min(k) sin² β, and sin β = |n · (u₁ × u₂)|/(n_r₁ n_r₂) with n_r >= c/R on the rim. So one goes round the
+/// first circle, its distance from the second as a function of one angle, and leaves out stretches of it by bounds:
+/// the distance changes by c₁ per radian at most; the second derivative of its square is bounded above, so that a minimum
+/// keeps away from a slope; where the third derivative leaves that second one a sign, there is no minimum or just one, which
+/// Newton's method finds.
+
+#include <array>
+#include <goishi/contact/pair.hpp>
+
+namespace goishi::detail {
+
+template <Ordered T>
+class RimSearch {
+ public:
+  RimSearch(const Pair<T>& pair, PairPoint<T>& best)
+      : pair_(pair),
+        best_(best),
+        c1_(pair.first.stone.bevel_major_radius),
+        c2_(pair.second.stone.bevel_major_radius),
+        swing_(c1_ * scalar::sqrt(dot(pair.between, pair.between))) {
+    const Vec3<T>& u = pair.first.u_W;
+    const bool steep = scalar::sq(u.x()) < scalar::sq(u.z());
+    const Vec3<T> e = steep ? Vec3<T>(T(0), u.z(), T(-u.y())) : Vec3<T>(u.y(), T(-u.x()), T(0));
+    const T over = T(1) / scalar::sqrt(dot(e, e));
+    e_ = {T(over * e.x()), T(over * e.y()), T(over * e.z())};
+    f_ = u.cross(e_);
+    const Vec3<T> across = u.cross(pair.second.u_W);
+    const T &R1 = pair.first.stone.core_sphere_radius, &R2 = pair.second.stone.core_sphere_radius;
+    deepest_ = (R1 < R2 ? R1 : R2) * dot(across, across) * scalar::sq(T(R1 * R2 / (c1_ * c2_)));
+    small_ = T(16) * std::numeric_limits<T>::epsilon() * pair.scale;
+  }
+
+  /// Goes round; `best` rises to the greatest that is found. False if the bounds left something out.
+  [[nodiscard]] bool run() {
+    constexpr int parts = 16;
+    const T length = T(2) * scalar::pi<T>() / T(parts);
+    const T c = scalar::cos(length), s = scalar::sin(length);
+    const RimPoint start = at(T(1), T(0));
+    RimPoint low = start;
+    for (int i = 1; i <= parts; ++i) {
+      const RimPoint high = i == parts ? start : at(T(c * low.a - s * low.b), T(s * low.a + c * low.b));
+      search(low, high, length, 0);
+      low = high;
+    }
+    return complete_;
+  }
+
+ private:
+  /// A point of the first circle: x = D + c₁ (a e + b f), seen from the second stone's centre.
+  struct RimPoint {
+    T a, b;
+    T rho, distance;  // from the second's axis; from its circle
+    T slope;          // of half the distance's square, by the angle
+    T bend;           // its second derivative
+  };
+
+  [[nodiscard]] Vec3<T> place_of(const T& a, const T& b) const {
+    return sum(T(1), pair_.between, c1_, sum(a, e_, b, f_));
+  }
+
+  [[nodiscard]] RimPoint at(const T& a, const T& b) const {
+    const Vec3<T> out = sum(a, e_, b, f_), along = sum(T(-b), e_, a, f_);
+    const Vec3<T> x = sum(T(1), pair_.between, c1_, out);
+    const Vec3<T>& u = pair_.second.u_W;
+    const T zeta = dot(u, x), rate = c1_ * dot(u, along), turn = -c1_ * dot(u, out);
+    const T rho = scalar::sqrt(dot(x, x) - scalar::sq(zeta));
+    const T x_rate = c1_ * dot(x, along), x_turn = -c1_ * dot(x, out);
+    const T y_rate = (x_rate - zeta * rate) / rho;  // ρ'
+    const T rho_bend = (scalar::sq(c1_) - scalar::sq(rate) - scalar::sq(y_rate) + x_turn - zeta * turn) / rho;
+    return {.a = a,
+            .b = b,
+            .rho = rho,
+            .distance = scalar::sqrt(T(scalar::sq(T(rho - c2_)) + scalar::sq(zeta))),
+            .slope = x_rate - c2_ * y_rate,
+            .bend = scalar::sq(c1_) + x_turn - c2_ * rho_bend};
+  }
+
+  void search(const RimPoint& low, const RimPoint& high, const T& length, int depth) {
+    const T limit = -best_.g < deepest_ ? T(-best_.g) : deepest_;
+    const T reach = c1_ * length;
+    if (T(2) * (limit - small_) <= low.distance + high.distance - reach || T(2) * c2_ <= low.rho + high.rho - reach) {
+      return;
+    }
+    // A rise of the slope takes its time.
+    const T steepest = swing_ + c1_ * c2_;
+    const T earliest = low.slope < T(0) ? T(-low.slope / steepest) : T(0);
+    const T latest = T(0) < high.slope ? T(length - high.slope / steepest) : length;
+    if (latest < earliest) {
+      return;
+    }
+    const T least_rho = (low.rho + high.rho - reach) / T(2);
+    if (T(0) < least_rho) {
+      const T ratio = c1_ / least_rho;
+      const T change = (swing_ + c2_ * c1_ * (T(1) + ratio * (T(5) + T(3) * ratio))) * length;
+      const T bends = low.bend + high.bend, slopes = low.slope + high.slope;
+      if (bends < -change) {
+        return;  // no minimum where it bends down
+      }
+      if (change < bends) {
+        if (!(T(0) < low.slope) && !(high.slope < T(0))) {
+          take(minimum(low, high));
+        }
+        return;
+      }
+      const T most_bend = change + (bends < T(0) ? T(-bends) : bends);  // twice
+      if (most_bend * length < T(2) * (slopes < T(0) ? T(-slopes) : slopes)) {
+        return;  // the slope has one sign
+      }
+    }
+    constexpr int deepest_level = 24, most = 600;
+    if (depth == deepest_level || most < count_) {
+      complete_ = false;
+      return;
+    }
+    ++count_;
+    const RimPoint middle = half_way(low, high);
+    search(low, middle, T(length / T(2)), depth + 1);
+    search(middle, high, T(length / T(2)), depth + 1);
+  }
+
+  [[nodiscard]] RimPoint half_way(const RimPoint& low, const RimPoint& high) const {
+    const T a = low.a + high.a, b = low.b + high.b;
+    const T over = T(1) / scalar::sqrt(T(scalar::sq(a) + scalar::sq(b)));
+    return at(T(over * a), T(over * b));
+  }
+
+  /// The zero of the slope where it only rises.
+  [[nodiscard]] RimPoint minimum(RimPoint low, RimPoint high) const {
+    constexpr int most_steps = 60;
+    RimPoint now = half_way(low, high);
+    for (int i = 0; i < most_steps; ++i) {
+      (now.slope < T(0) ? low : high) = now;
+      const T step = -now.slope / now.bend;
+      const T a = now.a - step * now.b, b = now.b + step * now.a;
+      const bool inside = T(0) < low.a * b - low.b * a && T(0) < a * high.b - b * high.a;
+      const T over = T(1) / scalar::sqrt(T(scalar::sq(a) + scalar::sq(b)));
+      now = inside ? at(T(over * a), T(over * b)) : half_way(low, high);
+      if (scalar::sq(step) <= T(4096) * std::numeric_limits<T>::epsilon()) {
+        break;
+      }
+    }
+    return now;
+  }
+
+  /// The normal from a point of the first circle to the nearest of the second.
+  void take(const RimPoint& point) {
+    const Vec3<T> x = place_of(point.a, point.b);
+    const Vec3<T>& u = pair_.second.u_W;
+    const Vec3<T> radial = sum(T(1), x, T(-dot(u, x)), u);
+    const Vec3<T> w = sum(T(1), x, T(-(c2_ / point.rho)), radial);
+    const T size = scalar::sqrt(dot(w, w));
+    if (!(T(0) < size)) {
+      return;
+    }
+    const PairPoint<T> found = pair_point(pair_, Vec3<T>(T(-w.x() / size), T(-w.y() / size), T(-w.z() / size)));
+    if (best_.g < found.g) {
+      best_ = found;
+    }
+  }
+
+  const Pair<T>& pair_;
+  PairPoint<T>& best_;
+  T c1_, c2_;
+  T swing_;  // c₁ |D|
+  Vec3<T> e_, f_;
+  T deepest_;
+  T small_;
+  int count_ = 0;
+  bool complete_ = true;
+};
+
+}  // namespace goishi::detail

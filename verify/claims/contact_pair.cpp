@@ -1,0 +1,126 @@
+/// CONTACT: two stones.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "verify/claims/claims.hpp"
+#include "verify/pose_samples.hpp"
+
+namespace goishi::verify {
+
+namespace {
+
+using Long3 = Vec3<long double>;
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// A pair as the oracle sees it.
+struct Witness {
+  Standing one, two;
+  explicit Witness(const Pair& pair)
+      : one(standing(narrow(hull_of(pair.first)), pair.pose)),
+        two(standing(narrow(hull_of(pair.second)), pair.other_pose)) {}
+  [[nodiscard]] long double along(const Vec3<double>& n_W) const {
+    const Triple<long double> n = triple(Long3(n_W.cast<long double>().normalized()));
+    return nearest_along(one, n) + nearest_along(two, {-n[0], -n[1], -n[2]});
+  }
+};
+
+/// What must hold for any pair: the gap is that of its normal, of the swapped pair, of the two points; pushed out, it is 0.
+template <class See>
+void see_consistent(const Context& context, const Pair& pair, const Witness& witness, const Separation<double>& at,
+                    See&& see) {
+  const double gap = context.produced(at.gap);
+  see(std::fabs(static_cast<double>(witness.along(at.n_W) - static_cast<long double>(gap))),
+      "the gap is not that of its normal");
+  const Separation<double> swapped = separation(pair.second.stone, pair.other_pose, pair.first.stone, pair.pose);
+  see(std::fabs(swapped.gap - gap), "the gap, stones swapped");
+  // A thin stone's support point turns about its sphere's centre.
+  const double scale = std::max(2.0 * reach_of(pair), (pair.pose.p_WB - pair.other_pose.p_WB).norm());
+  const double radii = pair.first.stone.sphere_radius + pair.second.stone.sphere_radius;
+  see((at.p_stone - at.p_other - gap * at.n_W).norm() / (1.0 + radii / scale), "p_stone − p_other = gap n");
+  see(std::fabs(outside_stone(witness.one.hull, pair.pose, at.p_stone)), "p_stone is not on the stone");
+  see(std::fabs(outside_stone(witness.two.hull, pair.other_pose, at.p_other)), "p_other is not on the other");
+  Pair pushed = pair;
+  pushed.pose.p_WB -= at.gap * at.n_W;
+  see(std::fabs(context.produced(separation(pushed).gap)), "the gap after the push-out");
+}
+
+/// `cores_overlap`: of which pairs.
+Measurement measure_pairs(Context& context, bool cores_overlap, int count) {
+  Worst worst;
+  std::array<int, pair_strata.size()> drawn{};
+  int seen = 0, uncertified = 0, short_of = 0;
+  for (int i = 0; seen < count; ++i) {
+    const Pair pair = draw_pair(context, i);
+    const Separation<double> at = separation(pair);
+    const double bevels = pair.first.stone.bevel_minor_radius + pair.second.stone.bevel_minor_radius;
+    if ((at.gap + bevels <= 0.0) != cores_overlap) {
+      continue;
+    }
+    ++seen;
+    ++drawn[static_cast<std::size_t>(i % pair_strata_count)];
+    uncertified += !at.certified;
+    const Witness witness(pair);
+    const double scale = std::max(2.0 * reach_of(pair), (pair.pose.p_WB - pair.other_pose.p_WB).norm());
+    const auto see = [&](double error, const char* name) {
+      worst.see(error / scale, [&] {
+        return fmt::format("{} ({}{}): {}, gap {:.6g}", name,
+                           pair_strata[static_cast<std::size_t>(i % pair_strata_count)],
+                           at.certified ? "" : ", not certified", describe(pair), at.gap);
+      });
+    };
+    see(at.status == SeparationStatus::not_converged ? scale : 0.0, "not converged");
+    see_consistent(context, pair, witness, at, see);
+    const Best best = search_pair(witness.one, witness.two, 20);
+    const double better = static_cast<double>(best.value - static_cast<long double>(context.produced(at.gap)));
+    see(better, "a better normal was found");
+    short_of += !(-better <= 1e-9 * scale);
+  }
+  see_search(worst, short_of, seen);
+  Measurement result = worst.measurement();
+  std::string strata;
+  for (std::size_t k = 0; k < drawn.size(); ++k) {
+    strata += fmt::format("{}{} {}", k == 0 ? "" : ", ", pair_strata[k], drawn[k]);
+  }
+  result.figures = {{"pairs", strata},
+                    {"without a certificate", fmt::format("{} of {}", uncertified, seen)},
+                    {"the search was not within 1e-9 of the width", fmt::format("{} of {}", short_of, seen)}};
+  return result;
+}
+
+}  // namespace
+
+std::vector<Claim> contact_pair_claims() {
+  return {
+      {.id = "CONTACT-4",
+       .statement =
+           "The gap of two stones that are apart, or overlap by no more than their bevels, is the greatest separation "
+           "over all normals, the same with the stones swapped, that of the two contact points, and 0 after the "
+           "push-out.",
+       .function = "separation (stones)",
+       .family = OracleFamily::independent,
+       .oracle = "a search over the sphere of normals, its best valued in long double; primal against dual",
+       .unit = "of the widths or the distance",
+       .bound = 1e-12,
+       .reason = "the bar; thin stones add the roundings of their spheres, 250 widths in radius",
+       .resolution = epsilon,
+       .mutants = {},
+       .measure = [](Context& context) { return measure_pairs(context, false, context.samples(1500, 12000)); }},
+      {.id = "CONTACT-5",
+       .statement = "Where the cores of two stones overlap, too, no normal separates more than the one that is given.",
+       .function = "separation (stones)",
+       .family = OracleFamily::independent,
+       .oracle = "a search over the sphere of normals, its best valued in long double",
+       .unit = "of the widths",
+       .bound = 1e-12,
+       .reason = "the bar; thin stones add the roundings of their spheres, 250 widths in radius",
+       .resolution = epsilon,
+       .mutants = {},
+       .measure = [](Context& context) { return measure_pairs(context, true, context.samples(1500, 12000)); }},
+  };
+}
+
+}  // namespace goishi::verify

@@ -1,0 +1,202 @@
+/// CONTACT: where bodies touch, and along which normal.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "verify/claims/claims.hpp"
+#include "verify/pose_samples.hpp"
+
+namespace goishi::verify {
+
+namespace {
+
+using Long = long double;
+using Long3 = Vec3<Long>;
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+Measurement measure_plane(Context& context) {
+  Worst worst;
+  for (int i = 0; i < context.samples(2000, 20000); ++i) {
+    const PlaneCase drawn = draw_plane_case(context, i);
+    const Stone<double>& stone = drawn.specimen.stone;
+    const Separation<double> at = separation(stone, drawn.pose, drawn.plane);
+    // The axis is rounded; the point moves by the sphere's radius for each radian of it.
+    const Digits50 off = sqrt((exact(context.produced(at.p_stone)) - drawn.lowest).squaredNorm());
+    worst.see(static_cast<double>(off) / (drawn.scale + stone.sphere_radius), [&] { return describe(drawn); });
+  }
+  return worst.measurement();
+}
+
+// --- bodies of several normals
+
+Long3 vector(const Triple<Long>& v) {
+  return {v[0], v[1], v[2]};
+}
+
+/// The point of the stone that is farthest against n.
+Long3 lowest_point(const Standing& stone, const Long3& n) {
+  const Long3 u = vector(stone.u);
+  const Long axial = u.dot(n);
+  const Long3 across = n - axial * u;
+  const Long radial = across.norm();
+  const auto [rho, height] = farthest(stone.hull, radial, axial);
+  return vector(stone.p) - (radial > 0 ? Long3(rho / radial * across) : Long3(Long3::Zero())) - height * u;
+}
+
+/// What lies between two bodies along a normal: from the other body's support point to the stone's, its part along the
+/// normal the separation, the rest the separation's gradient.
+struct Between {
+  std::function<Long3(const Long3&)> stone, other;
+  Long3 operator()(const Long3& n) const { return stone(n) - other(n); }
+};
+
+/// Newton's step to the stationary normal, in the space of some directions across n: curvatures by central differences.
+struct Correction {
+  Long3 step;
+  Long stiffness;  // the least eigenvalue: what a normal that is off by one radian costs in slope [m]
+};
+
+Correction correction(const Between& between, const Long3& n, const std::vector<Long3>& directions) {
+  constexpr Long h = 1e-7L;
+  const Long3 w = between(n);
+  const auto change = [&](const Long3& e) {
+    return Long3((between((n + h * e).normalized()) - between((n - h * e).normalized())) / (2 * h));
+  };
+  if (directions.empty()) {
+    return {Long3::Zero(), std::numeric_limits<Long>::infinity()};
+  }
+  const Long gap = w.dot(n);
+  const Long3& e = directions.front();
+  const Long a = gap - change(e).dot(e);
+  if (directions.size() == 1) {
+    return {w.dot(e) / a * e, a};
+  }
+  const Long3& f = directions.back();
+  const Long b = (-change(e).dot(f) - change(f).dot(e)) / 2, c = gap - change(f).dot(f);
+  const Long determinant = a * c - b * b;
+  const Long s = (c * w.dot(e) - b * w.dot(f)) / determinant, t = (a * w.dot(f) - b * w.dot(e)) / determinant;
+  return {s * e + t * f, (a + c) / 2 - std::hypot((a - c) / 2, b)};
+}
+
+/// Directions across n in which the board's normal may turn.
+std::vector<Long3> free_directions(const Long3& n, bool on_board) {
+  std::vector<Long3> axes;
+  for (int k = 0; k < 3; ++k) {
+    if (!on_board || n[k] != 0) {
+      axes.emplace_back(Long3::Unit(k));
+    }
+  }
+  if (axes.size() == 1) {
+    return {};
+  }
+  if (axes.size() == 2) {
+    return {Long3(axes[0].cross(axes[1]).cross(n))};
+  }
+  const Long3 e = n.unitOrthogonal();
+  return {e, n.cross(e)};
+}
+
+struct Seen {
+  Worst worst;
+  int normals = 0, ill_conditioned = 0;
+
+  /// How far normal and points are off, where a radian of the normal costs a hundredth of the width.
+  template <class Describe>
+  void see(const Context& context, const Separation<double>& at, const Between& between, bool on_board, double width,
+           Describe&& describe) {
+    const Long3 n = Long3(context.produced(at.n_W).template cast<Long>()).normalized();
+    const Correction off = correction(between, n, free_directions(n, on_board));
+    if (!(off.stiffness > static_cast<Long>(0.01 * width))) {
+      ++ill_conditioned;
+      return;
+    }
+    ++normals;
+    worst.see(static_cast<double>(off.step.norm()), [&] { return "normal" + describe(); });
+    const Long3 right = (n + off.step).normalized(), on_stone = between.stone(right);
+    const Long3 on_other = on_stone - between(right).dot(right) * right;
+    const auto see_point = [&](const Vec3<double>& p, const Long3& expected, const char* name) {
+      worst.see(static_cast<double>((p.cast<Long>() - expected).norm()) / width, [&] { return name + describe(); });
+    };
+    see_point(at.p_stone, on_stone, "p_stone");
+    see_point(at.p_other, on_other, "p_other");
+  }
+};
+
+Measurement measure_points(Context& context) {
+  Seen seen;
+  for (int i = 0; i < context.samples(4000, 40000); ++i) {
+    const Specimen specimen = draw_stone(context, i / 8);
+    const Board<double> board = draw_board(context, i / 48);
+    const Pose<double> pose = draw_board_pose(context, specimen.stone, board, i);
+    const Standing stone = standing(narrow(hull_of(specimen)), pose);
+    const Separation<double> at = separation(specimen.stone, pose, board);
+    const Between between{[&](const Long3& n) { return lowest_point(stone, n); },
+                          [&](const Long3& n) {
+                            return Long3(std::copysign(static_cast<Long>(board.half_width), n.x()),
+                                         std::copysign(static_cast<Long>(board.half_length), n.y()), 0);
+                          }};
+    seen.see(context, at, between, true, outer_width(specimen.stone), [&] {
+      return fmt::format(" ({}, {}): {}, board {:a} × {:a}, gap {:.6g}", board_strata[static_cast<std::size_t>(i % 8)],
+                         to_string(at.other_feature), describe(specimen, pose), board.half_width, board.half_length,
+                         at.gap);
+    });
+  }
+  const int at_board = seen.normals, hard_at_board = seen.ill_conditioned;
+  for (int i = 0; i < context.samples(3000, 30000); ++i) {
+    const Pair pair = draw_pair(context, i);
+    const Separation<double> at = separation(pair);
+    const Standing one = standing(narrow(hull_of(pair.first)), pair.pose),
+                   two = standing(narrow(hull_of(pair.second)), pair.other_pose);
+    const Between between{[&](const Long3& n) { return lowest_point(one, n); },
+                          [&](const Long3& n) { return lowest_point(two, Long3(-n)); }};
+    const double width = std::max(2.0 * reach_of(pair), (pair.pose.p_WB - pair.other_pose.p_WB).norm());
+    seen.see(context, at, between, false, width, [&] {
+      return fmt::format(" ({}): {}, gap {:.6g}", pair_strata[static_cast<std::size_t>(i % pair_strata_count)],
+                         describe(pair), at.gap);
+    });
+  }
+  Measurement result = seen.worst.measurement();
+  result.figures = {{"at the board", fmt::format("{}; {} too ill conditioned to judge", at_board, hard_at_board)},
+                    {"of two stones", fmt::format("{}; {} too ill conditioned to judge", seen.normals - at_board,
+                                                  seen.ill_conditioned - hard_at_board)}};
+  return result;
+}
+
+}  // namespace
+
+std::vector<Claim> contact_point_claims() {
+  return {
+      {.id = "CONTACT-6",
+       .statement = "The contact point of a stone over a plane is its lowest point.",
+       .function = "separation (plane)",
+       .family = OracleFamily::independent,
+       .oracle = "the farthest point of caps and torus in 50 digits",
+       .unit = "of the greater of width and distance, plus the sphere's radius",
+       .bound = 2e-15,
+       .reason = "the axis, 2 ulp, turns the point about the sphere's centre; then as CONTACT-1",
+       .resolution = epsilon / 4.0,
+       .mutants = {},
+       .measure = measure_plane},
+      {.id = "CONTACT-7",
+       .statement =
+           "Normal and contact points are those at which the separation is stationary, wherever a normal that is "
+           "off by a radian costs at least a hundredth of the width in slope.",
+       .function = "separation (board, stones)",
+       .family = OracleFamily::independent,
+       .oracle = "slope and curvature of the separation in long double, from the farthest points of caps and torus",
+       .unit = "radians, and of the width",
+       .bound = 1e-10,
+       .reason =
+           "a tenth of the bar, 1e-9; what the last step of a search over the normals leaves. Resolution: a slope is "
+           "rounded to ε of the sphere's radius, 250 widths, and divided by that hundredth",
+       .resolution = 250.0 * epsilon / 0.01,
+       .mutants = {},
+       .measure = measure_points},
+  };
+}
+
+}  // namespace goishi::verify
