@@ -6,6 +6,7 @@
 
 #include "verify/report/number.hpp"
 #include "verify/work_precision/bench.hpp"
+#include "verify/work_precision/contact/report.hpp"
 
 namespace goishi::verify::bench {
 
@@ -24,10 +25,6 @@ constexpr double runge_kutta_errors[] = {1e-3, 1e-5, 1e-7, 1e-9};
 
 std::string nanoseconds(double value) {
   return fmt::format("{} ns", plain_number(value));
-}
-
-std::string with_spread(const Timing& time) {
-  return fmt::format("{} ns ({} … {})", plain_number(time.median), plain_number(time.lower), plain_number(time.upper));
 }
 
 void add_flight_bars(const FlightSpeed& speed, std::vector<Bar>& bars) {
@@ -115,6 +112,13 @@ void add_runge_kutta_bar(const Race& race, std::vector<Bar>& bars) {
 
 }  // namespace
 
+std::string with_spread(const Timing& time) {
+  if (time.median >= 999.5) {
+    return fmt::format("{} ({} … {})", time_text(time.median), time_text(time.lower), time_text(time.upper));
+  }
+  return fmt::format("{} ns ({} … {})", plain_number(time.median), plain_number(time.lower), plain_number(time.upper));
+}
+
 std::vector<Bar> bars_of(const Bench& bench) {
   std::vector<Bar> bars;
   add_flight_bars(bench.speed, bars);
@@ -124,6 +128,7 @@ std::vector<Bar> bars_of(const Bench& bench) {
   for (const Race& race : bench.races) {
     add_runge_kutta_bar(race, bars);
   }
+  contact::add_bars(bench.contact_races, bench.contact_speed, bars);
   return bars;
 }
 

@@ -1,12 +1,15 @@
 #pragma once
 /// \file
-/// The whole race: every contestant on every problem, the speed of the exact flight, and the bars.
+/// The whole race: every contestant on every problem of motion and of contact, the speed of single calls, the bars.
 
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "verify/report/report.hpp"
+#include "verify/work_precision/bar.hpp"
+#include "verify/work_precision/contact/race.hpp"
+#include "verify/work_precision/contact/speed.hpp"
 #include "verify/work_precision/curve.hpp"
 #include "verify/work_precision/flight_speed.hpp"
 
@@ -22,27 +25,25 @@ struct Bench {
   Stamp stamp;
   std::vector<Race> races;
   FlightSpeed speed;
+  std::vector<contact::Race> contact_races;
+  contact::Speed contact_speed;
   double seconds = 0;
 };
 
+/// What is raced.
+struct Programme {
+  std::vector<const Problem*> motion;
+  std::vector<const contact::Problem*> contact;
+};
+
 /// `done` is told how many rounds of measurements are over, of how many.
-[[nodiscard]] Bench run_bench(const std::vector<const Problem*>& problems, const Effort& effort, const Stamp& stamp,
+[[nodiscard]] Bench run_bench(const Programme& programme, const Effort& effort, const Stamp& stamp,
                               const std::function<void(std::size_t, std::size_t)>& done);
 
-/// What the library promises about run time, beside what was measured.
-struct Bar {
-  std::string name;
-  std::string wanted;
-  std::string measured;
-  bool held;
-};
 [[nodiscard]] std::vector<Bar> bars_of(const Bench& bench);
 
 /// At which errors the tables compare: these powers of ten.
 inline constexpr int compared_errors[] = {-2, -4, -6, -8, -10, -12};
-
-/// Nanoseconds for people: "15.5 ns", "6.33 µs", "7.24 ms".
-[[nodiscard]] std::string time_text(double nanoseconds);
 
 [[nodiscard]] std::string text_report(const Bench& bench);
 [[nodiscard]] std::string csv_report(const Bench& bench);

@@ -5,6 +5,7 @@
 
 #include "verify/report/number.hpp"
 #include "verify/work_precision/bench.hpp"
+#include "verify/work_precision/contact/report.hpp"
 
 namespace goishi::verify::bench {
 
@@ -98,15 +99,21 @@ Section page_section(const Bench& bench) {
   Section section{
       .title = "Run time against error",
       .paragraphs =
-          {"Lower left is better. Each curve is one way to compute the same motion in double, from coarse to as "
-           "fine as round-off or patience allow: thick and coloured what Goishi ships, thin, grey and dashed "
-           "Odeint's steppers on the raw Newton–Euler equations; a star is a closed form, which takes one call "
-           "and has no step. Run times are medians of processor time. Odeint's quaternion is normalised before "
-           "its error is taken. Compare at equal error: the tables interpolate each curve there, and a dash "
-           "means that it never comes so far."},
+          {"Lower left is better. Thick and coloured is what Goishi ships; thin, grey and dashed are others. Run times "
+           "are medians of processor time."},
       .tables = {bar_table(bench)},
       .plots = {},
       .parts = {}};
+  if (!bench.races.empty()) {
+    section.paragraphs.push_back(
+        "Motion: each curve is one way to compute the same motion in double, from coarse to as fine as round-off or "
+        "patience allow. Grey are Odeint's steppers on the raw Newton–Euler equations; a star is a closed form, which "
+        "takes one call and has no step. Odeint's quaternion is normalised before its error is taken. Compare at equal "
+        "error: the tables interpolate each curve there, and a dash means that it never comes so far.");
+  }
+  if (!bench.contact_races.empty()) {
+    section.paragraphs.push_back(contact::page_paragraph());
+  }
   for (const Race& race : bench.races) {
     Section part{.title = race.problem->title,
                  .paragraphs = {fmt::format("Right answer: {}.", race.witness)},
@@ -117,6 +124,9 @@ Section page_section(const Bench& bench) {
       part.plots.push_back(plot_of(race, quantity));
     }
     section.parts.push_back(std::move(part));
+  }
+  for (const contact::Race& race : bench.contact_races) {
+    section.parts.push_back(contact::page_part(race));
   }
   return section;
 }

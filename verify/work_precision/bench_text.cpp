@@ -6,6 +6,7 @@
 #include "verify/report/escape.hpp"
 #include "verify/report/number.hpp"
 #include "verify/work_precision/bench.hpp"
+#include "verify/work_precision/contact/report.hpp"
 #include "verify/work_precision/native.hpp"
 
 namespace goishi::verify::bench {
@@ -75,14 +76,16 @@ std::string time_text(double nanoseconds) {
 
 std::string text_report(const Bench& bench) {
   const Stamp& stamp = bench.stamp;
-  std::string out = fmt::format(
-      "Run time per simulated second, interpolated at equal attitude error [rad]. Medians of processor time.\n"
-      "{}\n{}\ncommit {}, {}\nSIMD batch compiled for {}\n",
-      stamp.machine, stamp.compiler, stamp.commit, stamp.time,
-      native_level().empty() ? "the compiler's default" : native_level());
+  std::string out = fmt::format("Medians of processor time.\n{}\n{}\ncommit {}, {}\nSIMD batch compiled for {}\n",
+                                stamp.machine, stamp.compiler, stamp.commit, stamp.time,
+                                native_level().empty() ? "the compiler's default" : native_level());
+  if (!bench.races.empty()) {
+    out += "\nMotion: run time per simulated second, interpolated at equal attitude error [rad]\n";
+  }
   for (const Race& race : bench.races) {
     out += race_table(race);
   }
+  out += contact::text_tables(bench.contact_races);
   out += bar_table(bars_of(bench));
   return out + fmt::format("\nTook {}\n", duration(bench.seconds));
 }

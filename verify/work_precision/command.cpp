@@ -18,31 +18,45 @@ void show_progress(std::size_t finished, std::size_t total) {
   }
 }
 
-std::string known_names() {
-  std::string names;
+std::vector<std::string> known_names() {
+  std::vector<std::string> names;
   for (const Problem& problem : problems()) {
-    names += (names.empty() ? "" : ", ") + problem.name;
+    names.push_back(problem.name);
+  }
+  for (const contact::Problem& problem : contact::problems()) {
+    names.push_back(problem.name);
   }
   return names;
 }
 
-std::vector<const Problem*> chosen_problems(const std::vector<std::string>& names) {
-  for (const std::string& name : names) {
-    const bool known =
-        std::any_of(problems().begin(), problems().end(), [&](const Problem& problem) { return problem.name == name; });
-    goishi::require(known, "problem", name, "must be one of ", known_names());
-  }
-  std::vector<const Problem*> chosen;
-  for (const Problem& problem : problems()) {
-    if (names.empty() || std::find(names.begin(), names.end(), problem.name) != names.end()) {
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// All where no names are given.
+template <class AnyProblem>
+std::vector<const AnyProblem*> chosen_of(const std::vector<AnyProblem>& problems,
+                                         const std::vector<std::string>& names) {
+  std::vector<const AnyProblem*> chosen;
+  for (const AnyProblem& problem : problems) {
+    if (names.empty() || contains(names, problem.name)) {
       chosen.push_back(&problem);
     }
   }
   return chosen;
 }
 
+Programme chosen_programme(const std::vector<std::string>& names) {
+  const std::vector<std::string> known = known_names();
+  for (const std::string& name : names) {
+    goishi::require(contains(known, name), "problem", name, "must be one of ",
+                    fmt::format("{}", fmt::join(known, ", ")));
+  }
+  return {.motion = chosen_of(problems(), names), .contact = chosen_of(contact::problems(), names)};
+}
+
 void print_list() {
-  fmt::print("Problems\n");
+  fmt::print("Problems of motion\n");
   for (const Problem& problem : problems()) {
     fmt::print("  {:22} {}\n", problem.name, problem.title);
   }
@@ -50,6 +64,14 @@ void print_list() {
   for (const Contestant& contestant : contestants()) {
     fmt::print("  {:22} {}{}\n", contestant.name, contestant.label,
                contestant.needs_symmetry ? " (bodies with a symmetry axis)" : "");
+  }
+  fmt::print("Problems of contact\n");
+  for (const contact::Problem& problem : contact::problems()) {
+    fmt::print("  {:22} {}\n", problem.name, problem.title);
+  }
+  fmt::print("Contestants\n");
+  for (const contact::Contestant& contestant : contact::contestants()) {
+    fmt::print("  {:22} {}\n", contestant.name, contestant.label);
   }
 }
 
@@ -67,7 +89,9 @@ void require_places(const BenchOptions& options) {
 
 CLI::App* define_bench(CLI::App& app, BenchOptions& options) {
   CLI::App* bench = app.add_subcommand(
-      "bench", "Measures run time against error: every stepper and the exact flight, beside Odeint's steppers.");
+      "bench",
+      "Measures run time against error: every stepper and the exact flight, beside Odeint's steppers; every contact "
+      "query, beside libccd and FCL.");
   bench->option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   bench->add_flag("--list", options.list, "list problems and contestants, and measure nothing");
   bench->add_option("--problem", options.problems, "only these problems, separated by commas")
@@ -83,14 +107,15 @@ CLI::App* define_bench(CLI::App& app, BenchOptions& options) {
                    fmt::format("write {} (tables and plots) and {} into this folder", page_name, csv_name))
       ->type_name("DIR");
   bench->footer(
-      "Prints what each contestant costs at equal attitude error, and the bars. Times depend on the machine, so a bar\n"
-      "that is not held does not change the exit status: 0, or 2 for bad usage.\n"
-      "Example: goishi-verify bench --problem spin,brick --csv points.csv");
+      "Prints what each contestant costs, at equal attitude error where it has steps, and the bars. Times depend on "
+      "the\n"
+      "machine, so a bar that is not held does not change the exit status: 0, or 2 for bad usage.\n"
+      "Example: goishi-verify bench --problem spin,edge --csv points.csv");
   return bench;
 }
 
 void run_bench_command(const BenchOptions& options) {
-  const std::vector<const Problem*> chosen = chosen_problems(options.problems);
+  const Programme chosen = chosen_programme(options.problems);
   if (options.list) {
     print_list();
     return;
@@ -111,7 +136,7 @@ void run_bench_command(const BenchOptions& options) {
 }
 
 Bench run_bench_for_report() {
-  return run_bench(chosen_problems({}), report_effort, make_stamp(0, Tier::full), show_progress);
+  return run_bench(chosen_programme({}), report_effort, make_stamp(0, Tier::full), show_progress);
 }
 
 }  // namespace goishi::verify::bench

@@ -25,7 +25,7 @@ struct BenchOptions {
 /// Measures, prints, and writes what was asked for. Throws InvalidArgument when an option is wrong.
 void run_bench_command(const BenchOptions& options);
 
-/// The shorter run (about 20 s) that the report of the claims shows, with a running count on a terminal.
+/// The shorter run (about half a minute) that the report of the claims shows, with a running count on a terminal.
 [[nodiscard]] Bench run_bench_for_report();
 
 inline constexpr const char* page_name = "work_precision.html";

@@ -1,9 +1,14 @@
 #include "verify/work_precision/native.hpp"
 
+#include <goishi/contact/batch_plane.hpp>
 #include <goishi/motion/batch.hpp>
 
 struct goishi_native_flock {
   goishi::StoneBatch<double> stones;
+};
+
+struct goishi_native_resting {
+  goishi::PlaneBatch<double> stones;
 };
 
 namespace {
@@ -48,4 +53,22 @@ void goishi_native_free(goishi_native_flock* flock) {
 
 std::size_t goishi_native_lanes() {
   return StoneBatch<double>::lanes;
+}
+
+goishi_native_resting* goishi_native_resting_make(std::size_t count, const double* stones) {
+  auto* resting = new goishi_native_resting{PlaneBatch<double>(count)};
+  for (std::size_t i = 0; i < count; ++i) {
+    const double* x = stones + 10 * i;
+    resting->stones.set(i, make_stone(x[0], x[1], x[2]),
+                        {.p_WB = {x[3], x[4], x[5]}, .q_WB = Quat<double>(x[6], x[7], x[8], x[9])});
+  }
+  return resting;
+}
+
+void goishi_native_resting_gaps(const goishi_native_resting* stones, double* gaps) {
+  stones->stones.gaps(Plane<double>{}, std::span<double>(gaps, stones->stones.size()));
+}
+
+void goishi_native_resting_free(goishi_native_resting* stones) {
+  delete stones;
 }

@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// `StoneBatch` compiled for a level of x86-64 that the build machine has (CMake variable GOISHI_SIMD_LEVEL), in a
-/// library of its own that shows nothing but these functions: neither alignment nor instructions of that level leak into
-/// the rest of the program. Only numbers pass.
+/// `StoneBatch` and `PlaneBatch` compiled for a level of x86-64 that the build machine has (CMake variable
+/// GOISHI_SIMD_LEVEL), in a library of its own that shows nothing but these functions: neither alignment nor
+/// instructions of that level leak into the rest of the program. Only numbers pass.
 
 #include <cstddef>
 #include <string_view>
@@ -25,6 +25,15 @@ GOISHI_NATIVE_API void goishi_native_fly(goishi_native_flock* flock, double grav
 GOISHI_NATIVE_API void goishi_native_get(const goishi_native_flock* flock, double* states);
 GOISHI_NATIVE_API void goishi_native_free(goishi_native_flock* flock);
 GOISHI_NATIVE_API std::size_t goishi_native_lanes();
+
+/// Many stones near a plane. Opaque.
+struct goishi_native_resting;
+
+/// Width, height and bevel, position and attitude (w, x, y, z): 10 numbers in a row for each.
+GOISHI_NATIVE_API goishi_native_resting* goishi_native_resting_make(std::size_t count, const double* stones);
+/// To the playing surface z = 0.
+GOISHI_NATIVE_API void goishi_native_resting_gaps(const goishi_native_resting* stones, double* gaps);
+GOISHI_NATIVE_API void goishi_native_resting_free(goishi_native_resting* stones);
 
 namespace goishi::verify::bench {
 
