@@ -77,8 +77,8 @@ struct Specimen {
   return {shape, make_stone(shape.width, shape.height, shape.bevel)};
 }
 
-/// Unit directions as a stone sees them: any, near the axis, near the middle plane, on them, at the switch of cap and rim,
-/// within the cap.
+/// Unit directions as a stone sees them: any, near the axis, near the middle plane, on them, at the switch of cap and
+/// rim, within the cap.
 [[nodiscard]] inline Vec3<double> draw_normal(Context& context, const Stone<double>& stone, int i) {
   const double azimuth = context.uniform(-3.2, 3.2);
   const auto at = [&](double radial, double axial) {

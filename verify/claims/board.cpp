@@ -40,7 +40,7 @@ bool allows(Region region, const Vec3<double>& n) {
 
 /// Dots where the centre of a stone on the surface is, by the kind of its region; the board's outline.
 Plot picture() {
-  const Board<double> board = make_board<double>({.lines = 9});
+  const Board<double> board = make_board<double>({.lines = 5});
   const double reach = outer_width(make_stone(0.022, 0.0092, 0.001)) / 2.0;
   const auto mm = [](double x, double y) { return std::pair(1e3 * x, 1e3 * y); };
   const double X = board.half_width, Y = board.half_length;
@@ -61,7 +61,7 @@ Plot picture() {
     }
   }
   Series outline{.name = "the board's outline", .points = {mm(-X, -Y), mm(X, -Y), mm(X, Y), mm(-X, Y), mm(-X, -Y)}};
-  return {.title = "The nine regions of a board with nine lines, from above, for the centre of a stone of size 33",
+  return {.title = "The nine regions of a board with five lines, from above, for the centre of a stone of size 33",
           .x_label = "x [mm]",
           .y_label = "y [mm]",
           .equal_scale = true,
@@ -197,7 +197,7 @@ std::vector<Claim> board_claims() {
        .resolution = epsilon,
        .mutants = {{"board/ray.hpp", "if (exit.t < entry.t) {", "if (exit.t < T(0)) {"},
                    {"board/ray.hpp", "Vec3<T> low(-board.half_width, -board.half_length, -board.thickness)",
-                    "Vec3<T> low(-board.half_width, -board.half_length, board.floor)"},
+                    "Vec3<T> low(-board.half_width, -board.half_length, T(-2) * board.thickness)"},
                    {"board/ray.hpp", "result.n_W[first.axis] = T(first.high ? 1 : -1);",
                     "result.n_W[first.axis] = T(1);"}},
        .measure = measure_rays},

@@ -28,7 +28,8 @@ struct Witness {
   }
 };
 
-/// What must hold for any pair: the gap is that of its normal, of the swapped pair, of the two points; pushed out, it is 0.
+/// What must hold for any pair: the gap is that of its normal, of the swapped pair, of the two points; and 0 after the
+/// push-out.
 template <class See>
 void see_consistent(const Context& context, const Pair& pair, const Witness& witness, const Separation<double>& at,
                     See&& see) {
@@ -73,6 +74,9 @@ Measurement measure_pairs(Context& context, bool cores_overlap, int count) {
       });
     };
     see(at.status == SeparationStatus::not_converged ? scale : 0.0, "not converged");
+    // Of one centre and different axes: a circle of normals may be all but as good as the best.
+    const bool concentric = pair.pose.p_WB == pair.other_pose.p_WB;
+    see(at.certified || concentric ? 0.0 : scale, "no certificate");
     see_consistent(context, pair, witness, at, see);
     const Best best = search_pair(witness.one, witness.two, 20);
     const double better = static_cast<double>(best.value - static_cast<long double>(context.produced(at.gap)));
@@ -107,10 +111,18 @@ std::vector<Claim> contact_pair_claims() {
        .bound = 1e-12,
        .reason = "the bar; thin stones add the roundings of their spheres, 250 widths in radius",
        .resolution = epsilon,
-       .mutants = {},
+       .mutants = {{"contact/pair_closed.hpp", "scalar::sq(T(R1 + R2)) < caps2 &&", ""},
+                   {"contact/pair_closed.hpp", "meets_with_rim(pair.second, rim2, rim2_2)", "true"},
+                   {"contact/stone_stone.hpp",
+                    "result.gap = best.at.g - (first.stone.bevel_minor_radius + second.stone.bevel_minor_radius);",
+                    "result.gap = best.at.g - first.stone.bevel_minor_radius;"},
+                   {"contact/stone_stone.hpp", "result.p_other = sum(T(1), second.p_W, T(1), on_second.x_W);",
+                    "result.p_other = sum(T(1), second.p_W, T(-1), on_second.x_W);"}},
        .measure = [](Context& context) { return measure_pairs(context, false, context.samples(1500, 12000)); }},
       {.id = "CONTACT-5",
-       .statement = "Where the cores of two stones overlap, too, no normal separates more than the one that is given.",
+       .statement =
+           "Where the cores of two stones overlap, too, no normal separates more than the one that is given; it is "
+           "certified, unless perhaps the stones have one centre.",
        .function = "separation (stones)",
        .family = OracleFamily::independent,
        .oracle = "a search over the sphere of normals, its best valued in long double",
@@ -118,7 +130,10 @@ std::vector<Claim> contact_pair_claims() {
        .bound = 1e-12,
        .reason = "the bar; thin stones add the roundings of their spheres, 250 widths in radius",
        .resolution = epsilon,
-       .mutants = {},
+       .mutants = {{"contact/stone_stone.hpp", "try_caps(pair, best.at);", ""},
+                   {"contact/pair_closed.hpp", "try_normal(with_sphere(from_first, pair.second, T(-1)));", ""},
+                   {"contact/rim_rim.hpp", "take(minimum(low, high));", ""},
+                   {"contact/rim_rim.hpp", "const T ratio = c1_ / least_rho;", "const T ratio(0);"}},
        .measure = [](Context& context) { return measure_pairs(context, true, context.samples(1500, 12000)); }},
   };
 }

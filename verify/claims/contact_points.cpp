@@ -179,7 +179,10 @@ std::vector<Claim> contact_point_claims() {
        .bound = 2e-15,
        .reason = "the axis, 2 ulp, turns the point about the sphere's centre; then as CONTACT-1",
        .resolution = epsilon / 4.0,
-       .mutants = {},
+       .mutants = {{"contact/contact.hpp", "const T along = cap ? (upper ? height : T(-height))",
+                    "const T along = cap ? height"},
+                   {"contact/contact.hpp", "result.p_stone = sum(T(1), placed.p_W, T(-1), support.x_W);",
+                    "result.p_stone = sum(T(1), placed.p_W, T(1), support.x_W);"}},
        .measure = measure_plane},
       {.id = "CONTACT-7",
        .statement =
@@ -194,7 +197,11 @@ std::vector<Claim> contact_point_claims() {
            "a tenth of the bar, 1e-9; what the last step of a search over the normals leaves. Resolution: a slope is "
            "rounded to ε of the sphere's radius, 250 widths, and divided by that hundredth",
        .resolution = 250.0 * epsilon / 0.01,
-       .mutants = {},
+       .mutants = {{"contact/contact.hpp", "T(ring + stone.bevel_minor_radius)", "T(ring - stone.bevel_minor_radius)"},
+                   {"contact/arc.hpp", "value + ring * scalar::sq(arc.u_out) / square + stone.bevel_minor_radius",
+                    "value + ring / square + stone.bevel_minor_radius"},
+                   {"contact/pair.hpp", "T(16) * std::numeric_limits<T>::epsilon()",
+                    "T(16000000000) * std::numeric_limits<T>::epsilon()"}},
        .measure = measure_points},
   };
 }

@@ -155,7 +155,11 @@ std::vector<Claim> time_of_impact_odeint_claims() {
        .bound = 256.0 * epsilon,
        .reason = "the search ends when the separation is within 256 ε of the two widths",
        .resolution = 4.0 * epsilon,  // places and axes are rounded
-       .mutants = {},
+       .mutants = {{"contact/flight_path.hpp", "return along + scalar::cos(angle)",
+                    "return along - scalar::cos(angle)"},
+                   {"contact/flight_path.hpp", "path.k_W.cross(path.u_W).dot(n), path.rate}",
+                    "-path.k_W.cross(path.u_W).dot(n), path.rate}"},
+                   {"contact/time_of_impact.hpp", "n.dot(Vec3<T>(path.a_W - other_path.a_W))", "n.dot(path.a_W)"}},
        .measure = measure_events},
   };
 }

@@ -152,8 +152,8 @@ void over_sphere(int count, const std::vector<Seen<double>>& stones, See&& see) 
   }
 }
 
-/// Between samples there may be better by this much; what is worse is not searched. Were it not enough, the claims would
-/// see a search that falls short.
+/// Between samples there may be better by this much; what is worse is not searched. Were it not enough, the claims
+/// would see a search that falls short.
 bool is_promising(double value, const Sample& known, const Seen<double>& stone) {
   return value > known.value - 0.4 * (stone.hull.torus_radius + stone.hull.tube_radius);
 }

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// The greatest separation of a stone and another body, by search over the normals: samples, golden sections, simplexes.
+/// The greatest separation of a stone and another body, by search over the normals: samples, golden sections,
+/// simplexes.
 
 #include "verify/oracles/hull.hpp"
 

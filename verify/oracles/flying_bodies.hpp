@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Bodies of revolution in flight, by integration of Newton's and Euler's equations (Odeint) in long double, and the first
-/// time at which a function of their places changes sign.
+/// Bodies of revolution in flight, by integration of Newton's and Euler's equations (Odeint) in long double, and the
+/// first time at which a function of their places changes sign.
 
 #include <array>
 #include <functional>
@@ -9,8 +9,8 @@
 
 namespace goishi::verify {
 
-/// A body at t = 0, and its constant acceleration. Attitude (w, x, y, z; body to world; unit), spin ω in B, whose z is the
-/// symmetry axis.
+/// A body at t = 0, and its constant acceleration. Attitude (w, x, y, z; body to world; unit), spin ω in B, whose z is
+/// the symmetry axis.
 struct FlyingBody {
   std::array<long double, 3> p, v, a;
   std::array<long double, 4> attitude;

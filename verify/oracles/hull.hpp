@@ -45,8 +45,8 @@ template <class Real>
 template <class Real>
 [[nodiscard]] std::array<Real, 2> farthest(const Hull<Real>& hull, const Real& n_r, const Real& n_z);
 
-/// The closest point of the outline to (ρ, z) by its candidates: feet on both caps, on the bevel and the edge of a sharp
-/// stone, where they are on the outline.
+/// The closest point of the outline to (ρ, z) by its candidates: feet on both caps, on the bevel and the edge of a
+/// sharp stone, where they are on the outline.
 struct Foot {
   Digits50 rho, z;
   Digits50 n_r, n_z;   // from the outline's centre of curvature there to the point, unit

@@ -89,10 +89,14 @@ template <Ordered T>
 
 /// Whether Newton's method may stop after a step: what a step leaves is, where it converges, step³/previous², and that is
 /// to be nothing beside what a normal is good for. Where the curvature changes fast (a sharp rim that touches), steps do
-/// not shrink by their squares, and it goes on.
+/// not shrink by their squares, and it goes on. So it does where a step may cross the joint: the curvature jumps there.
 template <Ordered T>
-[[nodiscard]] bool leaves_nothing(const T& step2, const T& previous2) {
+[[nodiscard]] bool leaves_nothing(const Stone<T>& stone, const ArcPoint<T>& at, const T& step2, const T& previous2) {
   const T epsilon = std::numeric_limits<T>::epsilon();
+  const T to_joint = (at.axial < T(0) ? T(-at.axial) : at.axial) - stone.joint_sine;
+  if (scalar::sq(to_joint) <= step2 && epsilon < T(1024) * step2) {
+    return false;
+  }
   return step2 <= T(4096) * epsilon && step2 * scalar::sq(step2) <= scalar::sq(T(T(256) * epsilon * previous2));
 }
 
@@ -124,7 +128,7 @@ template <Ordered T>
     const T a = now.a - step * now.b, b = now.b + step * now.a;
     const bool inside = T(0) < now.curvature && T(0) < low.a * b - low.b * a && T(0) < a * high.b - b * high.a;
     if (inside) {
-      if (leaves_nothing(scalar::sq(step), previous2)) {
+      if (leaves_nothing(stone, now, scalar::sq(step), previous2)) {
         finish(now, step);
         break;
       }
@@ -166,7 +170,7 @@ template <Ordered T>
     found = arc_point(stone, arc, T(a * over), T(b * over));
     const T step = found.slope / found.curvature;
     const T step2 = scalar::sq(step);
-    if (leaves_nothing(step2, previous2)) {
+    if (leaves_nothing(stone, found, step2, previous2)) {
       finish(found, step);
       return is_apart(stone, found);
     }

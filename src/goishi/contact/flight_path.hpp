@@ -75,7 +75,7 @@ class GapAlong {
 
   /// H'' >= −`bend`: each S is concave in u with |S'| <= d, so it adds at most d Ω² √(B² + C²).
   void add(const Wobble<T>& part) {
-    parts_[count_++] = part;
+    parts_[static_cast<std::size_t>(count_++)] = part;
     const T swing = scalar::sqrt(T(scalar::sq(part.B) + scalar::sq(part.C)));
     bend_ = bend_ + part.stone->sphere_offset * scalar::sq(part.rate) * swing;
     const T least = magnitude_of(part.A) - swing;

@@ -43,6 +43,11 @@ class Octant {
  private:
   [[nodiscard]] Arc<T> arc(int i, int j) const { return {p_[i], p_[j], u_[i], u_[j], u_[3 - i - j]}; }
 
+  /// Of a length that normals are compared by.
+  [[nodiscard]] T round_off() const {
+    return T(16) * std::numeric_limits<T>::epsilon() * (outer_width(stone_) + scalar::sqrt(dot(p_, p_)));
+  }
+
   static void accept(int i, int j, const ArcPoint<T>& point, OctantMaximum<T>& best) {
     if (best.value < point.value) {
       best.value = point.value;
@@ -69,7 +74,7 @@ class Octant {
       return apart;
     }
     const int k = 3 - i - j;
-    return !(T(0) < p_[k] + arc_point(stone_, edge, found.a, found.b).lever * u_[k]);
+    return p_[k] + arc_point(stone_, edge, found.a, found.b).lever * u_[k] <= round_off();
   }
 
   /// The corner seen from the nearest point of the core's rim. Put together along the radial direction and the axis: where
@@ -103,8 +108,11 @@ class Octant {
     const T reach = scalar::sqrt(dot(away, away));
     const T core = cap ? T(reach - stone_.core_sphere_radius) : reach;
     if (is_inside(away) && T(0) < core) {
-      accept(T(core - stone_.bevel_minor_radius), Vec3<T>(away / reach), best);
-      return true;
+      try_normal(away / reach, best);
+      // Primal and dual: of a distance that is round-off, the direction is, too.
+      if (core - stone_.bevel_minor_radius - best.value <= round_off()) {
+        return true;
+      }
     }
     // The edges, that first which lies across what is most wrong of it.
     int order[3] = {0, 1, 2};
@@ -155,7 +163,8 @@ class Octant {
       const Vec3<T> along = sum(T(1), p_, T(sign * d), u_);
       if (is_inside(along)) {
         const Vec3<T> n = along / along.norm();
-        if (T(0) <= sign * dot(u_, n) && meets_cap(stone_, see<T>(u_, n).direction)) {
+        // To round-off: at the joint, neither cap nor rim would be met.
+        if (-T(64) * std::numeric_limits<T>::epsilon() < sign * dot(u_, n) - stone_.joint_sine) {
           try_normal(n, best);
         }
       }

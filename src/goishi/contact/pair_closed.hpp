@@ -17,10 +17,11 @@ template <Ordered T>
 /// point is not outside the rim's cylinder: then the rim's nearest point is not the one that is met along the normal.
 template <Ordered T>
 [[nodiscard]] Vec3<T> from_rim(const Vec3<T>& v, const Placed<T>& placed) {
-  const T& r1 = placed.stone.bevel_major_radius;
-  const Vec3<T> radial = sum(T(1), v, T(-dot(v, placed.u_W)), placed.u_W);
+  const T height = dot(v, placed.u_W);
+  const Vec3<T> radial = sum(T(1), v, T(-height), placed.u_W);
   const T rho = scalar::sqrt(dot(radial, radial));
-  return r1 < rho ? sum(T(1), v, T(-(r1 / rho)), radial) : Vec3<T>(T(0), T(0), T(0));
+  const T beyond = rho - placed.stone.bevel_major_radius;
+  return T(0) < beyond ? sum(T(beyond / rho), radial, height, placed.u_W) : Vec3<T>(T(0), T(0), T(0));
 }
 
 /// Whether a stone meets a normal v/|v| with the cap that looks along `sign` u.
@@ -72,7 +73,57 @@ template <Ordered T>
   }
   // Two rims, mostly: nearest to where the better of the two would be.
   along = scalar::sqrt(rim1_2) - R2 < scalar::sqrt(rim2_2) - R1 ? rim2 : rim1;
+  turn_to_nearest_rims(pair, along);
   return false;
+}
+
+/// Turns a direction to that between the nearest points of the two core rims, x₁ = D − c₁ e₁ and x₂ = c₂ e₂, by Newton's
+/// method on half the square of w = x₁ − x₂ as a function of two angles. Unlike the direction of w, that function is smooth
+/// where the rims all but touch. Leaves the direction where that leads nowhere.
+template <Ordered T>
+void turn_to_nearest_rims(const Pair<T>& pair, Vec3<T>& along) {
+  constexpr int most_steps = 8;
+  const Placed<T>* stones[2] = {&pair.first, &pair.second};
+  T c[2];
+  Vec3<T> e[2], f[2];  // out to the point, and along the circle
+  for (int i = 0; i < 2; ++i) {
+    const Vec3<T>& u = stones[i]->u_W;
+    c[i] = stones[i]->stone.bevel_major_radius;
+    f[i] = u.cross(along);
+    const T size2 = dot(f[i], f[i]);
+    if (!(T(0) < size2)) {
+      return;
+    }
+    const T over = T(1) / scalar::sqrt(size2);
+    f[i] = {T(over * f[i].x()), T(over * f[i].y()), T(over * f[i].z())};
+    e[i] = f[i].cross(u);
+  }
+  for (int step = 0; step < most_steps; ++step) {
+    const Vec3<T> w = sum(T(1), sum(T(1), pair.between, T(-c[0]), e[0]), T(-c[1]), e[1]);
+    const T slope[2] = {T(-dot(w, f[0])), T(-dot(w, f[1]))};  // each over c
+    const T bend[2] = {T(c[0] + dot(w, e[0])), T(c[1] + dot(w, e[1]))};
+    const T mixed = dot(f[0], f[1]);
+    const T determinant = bend[0] * bend[1] - scalar::sq(mixed) * c[0] * c[1];
+    if (!(T(0) < bend[0] && T(0) < bend[1] && T(0) < determinant)) {
+      return;
+    }
+    const T turn[2] = {T((c[1] * mixed * slope[1] - bend[1] * slope[0]) / determinant),
+                       T((c[0] * mixed * slope[0] - bend[0] * slope[1]) / determinant)};
+    const T turn2 = scalar::sq(turn[0]) + scalar::sq(turn[1]);
+    if (!(turn2 < T(1))) {
+      return;
+    }
+    for (int i = 0; i < 2; ++i) {
+      const T over = T(1) / scalar::sqrt(T(T(1) + scalar::sq(turn[i])));
+      const Vec3<T> next = sum(over, e[i], T(over * turn[i]), f[i]);
+      f[i] = sum(over, f[i], T(-(over * turn[i])), e[i]);
+      e[i] = next;
+    }
+    if (turn2 <= T(65536) * std::numeric_limits<T>::epsilon()) {
+      along = sum(T(1), sum(T(1), pair.between, T(-c[0]), e[0]), T(-c[1]), e[1]);
+      return;
+    }
+  }
 }
 
 /// Tries every normal at which a cap and a cap, or a cap and a rim, could separate most; each counts for what it gives.

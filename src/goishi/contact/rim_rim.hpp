@@ -39,6 +39,11 @@ class RimSearch {
 
   /// Goes round; `best` rises to the greatest that is found. False if the bounds left something out.
   [[nodiscard]] bool run() {
+    // Balls have no rims, and no two rims hold each other whose axes are parallel.
+    const bool rims = T(0) < pair_.first.stone.sphere_offset && T(0) < pair_.second.stone.sphere_offset;
+    if (!rims || deepest_ <= small_) {
+      return true;
+    }
     constexpr int parts = 16;
     const T length = T(2) * scalar::pi<T>() / T(parts);
     const T c = scalar::cos(length), s = scalar::sin(length);
