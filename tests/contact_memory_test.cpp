@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <goishi/board/ray.hpp>
 #include <goishi/contact/batch_plane.hpp>
 #include <goishi/contact/separating_axis.hpp>
@@ -11,44 +10,11 @@
 #include <goishi/contact/stone_stone.hpp>
 #include <goishi/contact/time_of_impact.hpp>
 #include <goishi/shape/ray.hpp>
-#include <new>
 #include <random>
 #include <vector>
 
+#include "tests/allocations.hpp"
 #include "tests/contact_test.hpp"
-
-namespace {
-thread_local long allocations = 0;
-
-void* counted(void* memory) {
-  ++allocations;
-  if (memory == nullptr) {
-    throw std::bad_alloc();
-  }
-  return memory;
-}
-}  // namespace
-
-// Not inlined: the compiler would take `free` for a mismatch with `new`.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  return counted(std::malloc(size == 0 ? 1 : size));
-}
-[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
-  const auto step = static_cast<std::size_t>(alignment);
-  return counted(std::aligned_alloc(step, (size + step - 1) / step * step));
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept {
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
-  std::free(memory);
-}
 
 namespace goishi::contact_test {
 
@@ -67,7 +33,7 @@ TEST(ContactMemory, NoQueryAllocates) {
   PlaneBatch<double> batch(poses.size());
   std::vector<double> gaps(poses.size());
   double sum = 0.0;
-  const long before = allocations;
+  const long before = test::allocations();
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const Pose<double>& pose = poses[i];
     const Pose<double>& other = poses[poses.size() - 1 - i];
@@ -94,10 +60,10 @@ TEST(ContactMemory, NoQueryAllocates) {
     batch.set(i, stones[i % 2], pose);
   }
   batch.gaps({}, gaps);
-  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(test::allocations(), before);
   EXPECT_TRUE(std::isfinite(sum));
   const std::vector<int> something(1);
-  EXPECT_EQ(allocations, before + 1) << "the count does not count";
+  EXPECT_EQ(test::allocations(), before + 1) << "the count does not count";
 }
 
 }  // namespace

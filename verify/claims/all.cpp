@@ -31,7 +31,10 @@ std::vector<Claim> all_claims() {
       {"claims/time_of_impact.cpp", time_of_impact_claims},
       {"claims/time_of_impact_bodies.cpp", time_of_impact_body_claims},
       {"claims/time_of_impact_odeint.cpp", time_of_impact_odeint_claims},
-      {"claims/published_contact.cpp", published_contact_claims}};
+      {"claims/published_contact.cpp", published_contact_claims},
+      {"claims/impact.cpp", impact_claims},
+      {"claims/impact_process.cpp", impact_process_claims},
+      {"claims/published_impact.cpp", published_impact_claims}};
   for (const auto& [source, subject] : subjects) {
     std::vector<Claim> claims = subject();
     for (Claim& claim : claims) {

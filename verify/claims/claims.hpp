@@ -32,6 +32,9 @@ namespace goishi::verify {
 [[nodiscard]] std::vector<Claim> time_of_impact_body_claims();    // TOI: the board, another flying stone
 [[nodiscard]] std::vector<Claim> time_of_impact_odeint_claims();  // TOI: against Odeint with events
 [[nodiscard]] std::vector<Claim> published_contact_claims();      // PUBLISHED: the talk's test, push-out and support
+[[nodiscard]] std::vector<Claim> impact_claims();                 // IMPACT: restitution, momentum, energy, friction
+[[nodiscard]] std::vector<Claim> impact_process_claims();    // IMPACT: Stronge's law, and the default law beside it
+[[nodiscard]] std::vector<Claim> published_impact_claims();  // PUBLISHED: the talk's impacts
 
 [[nodiscard]] std::vector<Claim> all_claims();
 

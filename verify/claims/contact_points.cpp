@@ -181,8 +181,8 @@ std::vector<Claim> contact_point_claims() {
        .resolution = epsilon / 4.0,
        .mutants = {{"contact/contact.hpp", "const T along = cap ? (upper ? height : T(-height))",
                     "const T along = cap ? height"},
-                   {"contact/contact.hpp", "result.p_stone = sum(T(1), placed.p_W, T(-1), support.x_W);",
-                    "result.p_stone = sum(T(1), placed.p_W, T(1), support.x_W);"}},
+                   {"contact/contact.hpp", "result.p_stone = formula::minus(placed.p_W, support.x_W);",
+                    "result.p_stone = formula::plus(placed.p_W, support.x_W);"}},
        .measure = measure_plane},
       {.id = "CONTACT-7",
        .statement =

@@ -11,6 +11,7 @@
 #include <goishi/scalar.hpp>
 #include <goishi/shape/stone.hpp>
 #include <goishi/shape/surface.hpp>
+#include <goishi/vector.hpp>
 #include <string_view>
 
 namespace goishi {
@@ -86,24 +87,11 @@ struct SeenNormal {
   Direction<T> direction;
 };
 
-// Sums of products by component: Eigen would read pairs that were just written one by one, and wait for them.
-
-template <Ordered T>
-[[nodiscard]] T dot(const Vec3<T>& a, const Vec3<T>& b) {
-  return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
-}
-
-/// α a + β b.
-template <Ordered T>
-[[nodiscard]] Vec3<T> sum(const T& alpha, const Vec3<T>& a, const T& beta, const Vec3<T>& b) {
-  return {T(alpha * a.x() + beta * b.x()), T(alpha * a.y() + beta * b.y()), T(alpha * a.z() + beta * b.z())};
-}
-
 template <Ordered T>
 [[nodiscard]] SeenNormal<T> see(const Vec3<T>& u_W, const Vec3<T>& n_W) {
-  const T axial = dot(u_W, n_W);
-  SeenNormal<T> seen{.signed_axial = axial, .radial_part = sum(T(1), n_W, T(-axial), u_W), .direction = {}};
-  const T square = dot(seen.radial_part, seen.radial_part);
+  const T axial = formula::dot(u_W, n_W);
+  SeenNormal<T> seen{.signed_axial = axial, .radial_part = formula::plus(n_W, T(-axial), u_W), .direction = {}};
+  const T square = formula::dot(seen.radial_part, seen.radial_part);
   seen.direction = {.axial = axial < T(0) ? T(-axial) : axial, .radial = scalar::sqrt(square), .radial_square = square};
   return seen;
 }
@@ -132,7 +120,7 @@ template <Ordered T>
   const T across = cap ? stone.sphere_radius : T(ring + stone.bevel_minor_radius);
   const T along = cap ? (upper ? height : T(-height)) : T(stone.bevel_minor_radius * seen.signed_axial);
   const Feature on_cap = upper ? Feature::upper_cap : Feature::lower_cap;
-  return {.x_W = sum(across, seen.radial_part, along, u_W), .feature = cap ? on_cap : Feature::rim};
+  return {.x_W = formula::combination(across, seen.radial_part, along, u_W), .feature = cap ? on_cap : Feature::rim};
 }
 
 /// The separation along a unit normal, complete but for `other_feature` and `unique`. `offset` is how far the other body
@@ -143,11 +131,11 @@ template <Ordered T>
   // The stone is its own mirror image: its support point in −n is minus that in n.
   const SupportPoint<T> support = support_point(placed.stone, placed.u_W, seen);
   Separation<T> result;
-  result.gap = dot(n_W, placed.p_W) - offset - support_value(placed.stone, seen.direction);
+  result.gap = formula::dot(n_W, placed.p_W) - offset - support_value(placed.stone, seen.direction);
   result.status = result.gap < T(0) ? SeparationStatus::overlapping : SeparationStatus::separated;
   result.n_W = n_W;
-  result.p_stone = sum(T(1), placed.p_W, T(-1), support.x_W);
-  result.p_other = sum(T(1), result.p_stone, T(-result.gap), n_W);
+  result.p_stone = formula::minus(placed.p_W, support.x_W);
+  result.p_other = formula::plus(result.p_stone, T(-result.gap), n_W);
   result.feature = support.feature == Feature::upper_cap   ? Feature::lower_cap
                    : support.feature == Feature::lower_cap ? Feature::upper_cap
                                                            : Feature::rim;

@@ -45,7 +45,7 @@ class Octant {
 
   /// Of a length that normals are compared by.
   [[nodiscard]] T round_off() const {
-    return T(16) * std::numeric_limits<T>::epsilon() * (outer_width(stone_) + scalar::sqrt(dot(p_, p_)));
+    return T(16) * std::numeric_limits<T>::epsilon() * (outer_width(stone_) + scalar::sqrt(formula::dot(p_, p_)));
   }
 
   static void accept(int i, int j, const ArcPoint<T>& point, OctantMaximum<T>& best) {
@@ -87,11 +87,11 @@ class Octant {
   };
 
   [[nodiscard]] CornerFromRim corner_from_rim() const {
-    const T height = dot(u_, p_);
-    const Vec3<T> radial = sum(T(1), p_, T(-height), u_);
-    const T rho = scalar::sqrt(dot(radial, radial));
+    const T height = formula::dot(u_, p_);
+    const Vec3<T> radial = formula::plus(p_, T(-height), u_);
+    const T rho = scalar::sqrt(formula::dot(radial, radial));
     const T beyond = rho - stone_.bevel_major_radius;
-    return {.height = height, .beyond = beyond, .away = sum(T(beyond / rho), radial, height, u_)};
+    return {.height = height, .beyond = beyond, .away = formula::combination(T(beyond / rho), radial, height, u_)};
   }
 
   [[nodiscard]] bool find_apart_at_corner(OctantMaximum<T>& best) const {
@@ -104,8 +104,8 @@ class Octant {
     const CornerFromRim rim = corner_from_rim();
     const T upwards = rim.height < T(0) ? T(-1) : T(1);
     const bool cap = rim.beyond * stone_.sphere_offset <= stone_.bevel_major_radius * upwards * rim.height;
-    const Vec3<T> away = cap ? sum(T(1), p_, T(upwards * stone_.sphere_offset), u_) : rim.away;
-    const T reach = scalar::sqrt(dot(away, away));
+    const Vec3<T> away = cap ? formula::plus(p_, T(upwards * stone_.sphere_offset), u_) : rim.away;
+    const T reach = scalar::sqrt(formula::dot(away, away));
     const T core = cap ? T(reach - stone_.core_sphere_radius) : reach;
     if (is_inside(away) && T(0) < core) {
       try_normal(away / reach, best);
@@ -160,11 +160,11 @@ class Octant {
   void search_corner(OctantMaximum<T>& best) const {
     const T& d = stone_.sphere_offset;
     for (const T& sign : {T(1), T(-1)}) {
-      const Vec3<T> along = sum(T(1), p_, T(sign * d), u_);
+      const Vec3<T> along = formula::plus(p_, T(sign * d), u_);
       if (is_inside(along)) {
         const Vec3<T> n = along / along.norm();
         // To round-off: at the joint, neither cap nor rim would be met.
-        if (-T(64) * std::numeric_limits<T>::epsilon() < sign * dot(u_, n) - stone_.joint_sine) {
+        if (-T(64) * std::numeric_limits<T>::epsilon() < sign * formula::dot(u_, n) - stone_.joint_sine) {
           try_normal(n, best);
         }
       }
@@ -176,7 +176,7 @@ class Octant {
   }
 
   void try_normal(const Vec3<T>& n, OctantMaximum<T>& best) const {
-    accept(T(dot(n, p_) - support_value(stone_, see<T>(u_, n).direction)), n, best);
+    accept(T(formula::dot(n, p_) - support_value(stone_, see<T>(u_, n).direction)), n, best);
   }
 
   const Stone<T>& stone_;

@@ -18,8 +18,8 @@ struct Pair {
   T scale;          // of what is rounded: thin stones have large spheres, whose round-off shows across the normal
 
   Pair(const Placed<T>& one, const Placed<T>& other)
-      : first(one), second(other), between(sum(T(1), one.p_W, T(-1), other.p_W)) {
-    scale = outer_width(one.stone) + outer_width(other.stone) + scalar::sqrt(dot(between, between)) +
+      : first(one), second(other), between(formula::minus(one.p_W, other.p_W)) {
+    scale = outer_width(one.stone) + outer_width(other.stone) + scalar::sqrt(formula::dot(between, between)) +
             one.stone.core_sphere_radius + other.stone.core_sphere_radius;
   }
 };
@@ -102,7 +102,7 @@ template <Ordered T>
     }
   }
   if (count == 0) {
-    const Vec3<T> across = sum(T(1), at.w, T(-at.g), at.n);
+    const Vec3<T> across = formula::plus(at.w, T(-at.g), at.n);
     const T length = T(0) < all ? T(1) / all : T(1) / at.slope;
     return {T(length * across.x()), T(length * across.y()), T(length * across.z())};
   }
@@ -115,13 +115,13 @@ template <Ordered T>
   if (count == 2) {
     // t₂ = n × u₂/n_r: its parts along e₁ and e₂ are those of −e₂ and e₁ along the radial part of n.
     const T over2 = T(1) / rims[1]->seen.direction.radial;
-    const T t1 = -dot(e2, stones[1]->u_W) * over2, t2 = dot(e1, stones[1]->u_W) * over2;
+    const T t1 = -formula::dot(e2, stones[1]->u_W) * over2, t2 = formula::dot(e1, stones[1]->u_W) * over2;
     const T ring = stones[1]->stone.bevel_major_radius * over2;
     m11 += ring * scalar::sq(t1);
     m12 += ring * t1 * t2;
     m22 += ring * scalar::sq(t2);
   }
-  const T w1 = dot(at.w, e1), w2 = dot(at.w, e2);
+  const T w1 = formula::dot(at.w, e1), w2 = formula::dot(at.w, e2);
   const T determinant = m11 * m22 - scalar::sq(m12);
   T s1, s2;
   if (T(0) < m11 && T(0) < determinant) {
@@ -146,7 +146,7 @@ template <Ordered T>
     s1 = s1 * shorter;
     s2 = s2 * shorter;
   }
-  return sum(s1, e1, s2, e2);
+  return formula::combination(s1, e1, s2, e2);
 }
 
 /// Climbs from `at` to a maximum of g. False if it does not get there.

@@ -10,37 +10,37 @@ namespace goishi::detail {
 /// D · n is sign d u · n − R.
 template <Ordered T>
 [[nodiscard]] Vec3<T> with_sphere(const Vec3<T>& v, const Placed<T>& placed, const T& sign) {
-  return sum(T(1), v, T(sign * placed.stone.sphere_offset), placed.u_W);
+  return formula::plus(v, T(sign * placed.stone.sphere_offset), placed.u_W);
 }
 
 /// From the nearest point of a stone's core rim to a point v, both seen from the stone's centre; along the normal. 0 if the
 /// point is not outside the rim's cylinder: then the rim's nearest point is not the one that is met along the normal.
 template <Ordered T>
 [[nodiscard]] Vec3<T> from_rim(const Vec3<T>& v, const Placed<T>& placed) {
-  const T height = dot(v, placed.u_W);
-  const Vec3<T> radial = sum(T(1), v, T(-height), placed.u_W);
-  const T rho = scalar::sqrt(dot(radial, radial));
+  const T height = formula::dot(v, placed.u_W);
+  const Vec3<T> radial = formula::plus(v, T(-height), placed.u_W);
+  const T rho = scalar::sqrt(formula::dot(radial, radial));
   const T beyond = rho - placed.stone.bevel_major_radius;
-  return T(0) < beyond ? sum(T(beyond / rho), radial, height, placed.u_W) : Vec3<T>(T(0), T(0), T(0));
+  return T(0) < beyond ? formula::combination(T(beyond / rho), radial, height, placed.u_W) : Vec3<T>(T(0), T(0), T(0));
 }
 
 /// Whether a stone meets a normal v/|v| with the cap that looks along `sign` u.
 template <Ordered T>
 [[nodiscard]] bool meets_with_cap(const Placed<T>& placed, const T& sign, const Vec3<T>& v, const T& size2) {
-  const T axial = sign * dot(placed.u_W, v);
+  const T axial = sign * formula::dot(placed.u_W, v);
   return T(0) <= axial && scalar::sq(placed.stone.joint_sine) * size2 <= scalar::sq(axial);
 }
 
 template <Ordered T>
 [[nodiscard]] bool meets_with_rim(const Placed<T>& placed, const Vec3<T>& v, const T& size2) {
-  const T axial = dot(placed.u_W, v);
+  const T axial = formula::dot(placed.u_W, v);
   return scalar::sq(axial) <= scalar::sq(placed.stone.joint_sine) * size2;
 }
 
 /// The sign of the cap that a stone is likely to turn towards a direction.
 template <Ordered T>
 [[nodiscard]] T sign_towards(const Placed<T>& placed, const Vec3<T>& v) {
-  return dot(placed.u_W, v) < T(0) ? T(-1) : T(1);
+  return formula::dot(placed.u_W, v) < T(0) ? T(-1) : T(1);
 }
 
 /// Looks for a closed form that holds and at which the cores are apart: then no other normal separates more. Else false;
@@ -51,21 +51,21 @@ template <Ordered T>
   const T &R1 = pair.first.stone.core_sphere_radius, &R2 = pair.second.stone.core_sphere_radius;
   const Vec3<T> from_first = with_sphere(pair.between, pair.first, sign1);
   const Vec3<T> caps = with_sphere(from_first, pair.second, sign2);
-  const T caps2 = dot(caps, caps);
+  const T caps2 = formula::dot(caps, caps);
   if (scalar::sq(T(R1 + R2)) < caps2 && meets_with_cap(pair.first, sign1, caps, caps2) &&
       meets_with_cap(pair.second, sign2, caps, caps2)) {
     along = caps;
     return true;
   }
   const Vec3<T> rim2 = from_rim(from_first, pair.second);
-  const T rim2_2 = dot(rim2, rim2);
+  const T rim2_2 = formula::dot(rim2, rim2);
   if (scalar::sq(R1) < rim2_2 && meets_with_cap(pair.first, sign1, rim2, rim2_2) &&
       meets_with_rim(pair.second, rim2, rim2_2)) {
     along = rim2;
     return true;
   }
   const Vec3<T> rim1 = from_rim(with_sphere(pair.between, pair.second, sign2), pair.first);
-  const T rim1_2 = dot(rim1, rim1);
+  const T rim1_2 = formula::dot(rim1, rim1);
   if (scalar::sq(R2) < rim1_2 && meets_with_cap(pair.second, sign2, rim1, rim1_2) &&
       meets_with_rim(pair.first, rim1, rim1_2)) {
     along = rim1;
@@ -90,7 +90,7 @@ void turn_to_nearest_rims(const Pair<T>& pair, Vec3<T>& along) {
     const Vec3<T>& u = stones[i]->u_W;
     c[i] = stones[i]->stone.bevel_major_radius;
     f[i] = u.cross(along);
-    const T size2 = dot(f[i], f[i]);
+    const T size2 = formula::dot(f[i], f[i]);
     if (!(T(0) < size2)) {
       return;
     }
@@ -99,10 +99,10 @@ void turn_to_nearest_rims(const Pair<T>& pair, Vec3<T>& along) {
     e[i] = f[i].cross(u);
   }
   for (int step = 0; step < most_steps; ++step) {
-    const Vec3<T> w = sum(T(1), sum(T(1), pair.between, T(-c[0]), e[0]), T(-c[1]), e[1]);
-    const T slope[2] = {T(-dot(w, f[0])), T(-dot(w, f[1]))};  // each over c
-    const T bend[2] = {T(c[0] + dot(w, e[0])), T(c[1] + dot(w, e[1]))};
-    const T mixed = dot(f[0], f[1]);
+    const Vec3<T> w = formula::plus(formula::plus(pair.between, T(-c[0]), e[0]), T(-c[1]), e[1]);
+    const T slope[2] = {T(-formula::dot(w, f[0])), T(-formula::dot(w, f[1]))};  // each over c
+    const T bend[2] = {T(c[0] + formula::dot(w, e[0])), T(c[1] + formula::dot(w, e[1]))};
+    const T mixed = formula::dot(f[0], f[1]);
     const T determinant = bend[0] * bend[1] - scalar::sq(mixed) * c[0] * c[1];
     if (!(T(0) < bend[0] && T(0) < bend[1] && T(0) < determinant)) {
       return;
@@ -115,12 +115,12 @@ void turn_to_nearest_rims(const Pair<T>& pair, Vec3<T>& along) {
     }
     for (int i = 0; i < 2; ++i) {
       const T over = T(1) / scalar::sqrt(T(T(1) + scalar::sq(turn[i])));
-      const Vec3<T> next = sum(over, e[i], T(over * turn[i]), f[i]);
-      f[i] = sum(over, f[i], T(-(over * turn[i])), e[i]);
+      const Vec3<T> next = formula::combination(over, e[i], T(over * turn[i]), f[i]);
+      f[i] = formula::combination(over, f[i], T(-(over * turn[i])), e[i]);
       e[i] = next;
     }
     if (turn2 <= T(65536) * std::numeric_limits<T>::epsilon()) {
-      along = sum(T(1), sum(T(1), pair.between, T(-c[0]), e[0]), T(-c[1]), e[1]);
+      along = formula::plus(formula::plus(pair.between, T(-c[0]), e[0]), T(-c[1]), e[1]);
       return;
     }
   }
@@ -130,7 +130,7 @@ void turn_to_nearest_rims(const Pair<T>& pair, Vec3<T>& along) {
 template <Ordered T>
 void try_caps(const Pair<T>& pair, PairPoint<T>& best) {
   const auto try_normal = [&](const Vec3<T>& v) {
-    const T size = scalar::sqrt(dot(v, v));
+    const T size = scalar::sqrt(formula::dot(v, v));
     if (T(0) < size) {
       const PairPoint<T> at = pair_point(pair, Vec3<T>(T(v.x() / size), T(v.y() / size), T(v.z() / size)));
       if (best.g < at.g) {

@@ -24,16 +24,16 @@ class RimSearch {
         best_(best),
         c1_(pair.first.stone.bevel_major_radius),
         c2_(pair.second.stone.bevel_major_radius),
-        swing_(c1_ * scalar::sqrt(dot(pair.between, pair.between))) {
+        swing_(c1_ * scalar::sqrt(formula::dot(pair.between, pair.between))) {
     const Vec3<T>& u = pair.first.u_W;
     const bool steep = scalar::sq(u.x()) < scalar::sq(u.z());
     const Vec3<T> e = steep ? Vec3<T>(T(0), u.z(), T(-u.y())) : Vec3<T>(u.y(), T(-u.x()), T(0));
-    const T over = T(1) / scalar::sqrt(dot(e, e));
+    const T over = T(1) / scalar::sqrt(formula::dot(e, e));
     e_ = {T(over * e.x()), T(over * e.y()), T(over * e.z())};
     f_ = u.cross(e_);
     const Vec3<T> across = u.cross(pair.second.u_W);
     const T &R1 = pair.first.stone.core_sphere_radius, &R2 = pair.second.stone.core_sphere_radius;
-    deepest_ = (R1 < R2 ? R1 : R2) * dot(across, across) * scalar::sq(T(R1 * R2 / (c1_ * c2_)));
+    deepest_ = (R1 < R2 ? R1 : R2) * formula::dot(across, across) * scalar::sq(T(R1 * R2 / (c1_ * c2_)));
     small_ = T(16) * std::numeric_limits<T>::epsilon() * pair.scale;
   }
 
@@ -67,16 +67,16 @@ class RimSearch {
   };
 
   [[nodiscard]] Vec3<T> place_of(const T& a, const T& b) const {
-    return sum(T(1), pair_.between, c1_, sum(a, e_, b, f_));
+    return formula::plus(pair_.between, c1_, formula::combination(a, e_, b, f_));
   }
 
   [[nodiscard]] RimPoint at(const T& a, const T& b) const {
-    const Vec3<T> out = sum(a, e_, b, f_), along = sum(T(-b), e_, a, f_);
-    const Vec3<T> x = sum(T(1), pair_.between, c1_, out);
+    const Vec3<T> out = formula::combination(a, e_, b, f_), along = formula::combination(T(-b), e_, a, f_);
+    const Vec3<T> x = formula::plus(pair_.between, c1_, out);
     const Vec3<T>& u = pair_.second.u_W;
-    const T zeta = dot(u, x), rate = c1_ * dot(u, along), turn = -c1_ * dot(u, out);
-    const T rho = scalar::sqrt(dot(x, x) - scalar::sq(zeta));
-    const T x_rate = c1_ * dot(x, along), x_turn = -c1_ * dot(x, out);
+    const T zeta = formula::dot(u, x), rate = c1_ * formula::dot(u, along), turn = -c1_ * formula::dot(u, out);
+    const T rho = scalar::sqrt(formula::dot(x, x) - scalar::sq(zeta));
+    const T x_rate = c1_ * formula::dot(x, along), x_turn = -c1_ * formula::dot(x, out);
     const T y_rate = (x_rate - zeta * rate) / rho;  // ρ'
     const T rho_bend = (scalar::sq(c1_) - scalar::sq(rate) - scalar::sq(y_rate) + x_turn - zeta * turn) / rho;
     return {.a = a,
@@ -158,9 +158,9 @@ class RimSearch {
   void take(const RimPoint& point) {
     const Vec3<T> x = place_of(point.a, point.b);
     const Vec3<T>& u = pair_.second.u_W;
-    const Vec3<T> radial = sum(T(1), x, T(-dot(u, x)), u);
-    const Vec3<T> w = sum(T(1), x, T(-(c2_ / point.rho)), radial);
-    const T size = scalar::sqrt(dot(w, w));
+    const Vec3<T> radial = formula::plus(x, T(-formula::dot(u, x)), u);
+    const Vec3<T> w = formula::plus(x, T(-(c2_ / point.rho)), radial);
+    const T size = scalar::sqrt(formula::dot(w, w));
     if (!(T(0) < size)) {
       return;
     }

@@ -21,10 +21,10 @@ template <Ordered T>
 [[nodiscard]] SeparationStatus find_maximum(const Pair<T>& pair, PairPoint<T>& best, bool& certified) {
   Vec3<T> along;
   const bool closed = find_apart(pair, along);
-  T size2 = dot(along, along);
+  T size2 = formula::dot(along, along);
   if (!(T(0) < size2)) {
     along = pair.between;
-    size2 = dot(along, along);
+    size2 = formula::dot(along, along);
   }
   if (T(0) < size2) {
     const T over = T(1) / scalar::sqrt(size2);
@@ -37,7 +37,7 @@ template <Ordered T>
   if (T(0) < best.g) {
     // Primal and dual: the distance of the two core points is not less than the separation, nor more.
     const T tolerance = T(256) * std::numeric_limits<T>::epsilon() * pair.scale;
-    certified = scalar::sqrt(dot(best.w, best.w)) - best.g <= tolerance;
+    certified = scalar::sqrt(formula::dot(best.w, best.w)) - best.g <= tolerance;
   } else {
     try_caps(pair, best);
     certified = RimSearch<T>(pair, best).run();
@@ -60,8 +60,8 @@ template <Ordered T>
   const SupportPoint<T> on_second = support_point(second.stone, second.u_W, best.second.seen);
   result.gap = best.g - (first.stone.bevel_minor_radius + second.stone.bevel_minor_radius);
   result.n_W = n;
-  result.p_stone = sum(T(1), first.p_W, T(-1), on_first.x_W);
-  result.p_other = sum(T(1), second.p_W, T(1), on_second.x_W);
+  result.p_stone = formula::minus(first.p_W, on_first.x_W);
+  result.p_other = formula::plus(second.p_W, on_second.x_W);
   result.feature = on_first.feature == Feature::upper_cap   ? Feature::lower_cap
                    : on_first.feature == Feature::lower_cap ? Feature::upper_cap
                                                             : Feature::rim;

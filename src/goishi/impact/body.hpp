@@ -1,0 +1,148 @@
+#pragma once
+/// \file
+/// A body with a symmetry axis at the moment of an impact: how it answers to an impulse at one of its points.
+
+#include <goishi/error.hpp>
+#include <goishi/mass/inertia.hpp>
+#include <goishi/mass/tensor.hpp>
+#include <goishi/rotation.hpp>
+#include <goishi/scalar.hpp>
+#include <goishi/shape/surface.hpp>
+#include <goishi/vector.hpp>
+
+namespace goishi {
+
+/// How a body answers to impulses. Made by `make_mobility`, once per body.
+template <class T>
+struct Mobility {
+  T linear = scalar::unset<T>();      // 1/m [1/kg]
+  T transverse = scalar::unset<T>();  // 1/I_t [1/(kg m²)]
+  T axial = scalar::unset<T>();       // 1/I_a − 1/I_t [1/(kg m²)]
+};
+
+/// A body as an impact sees it. NaN until set.
+template <class T>
+struct ImpactBody {
+  Mobility<T> mobility;
+  Vec3<T> p_WB = Vec3<T>::Constant(scalar::unset<T>());  // [m] centre of mass
+  Vec3<T> u_W = Vec3<T>::Constant(scalar::unset<T>());   // unit, symmetry axis
+  Vec3<T> v_WB = Vec3<T>::Constant(scalar::unset<T>());  // [m/s]
+  Vec3<T> L_W = Vec3<T>::Constant(scalar::unset<T>());   // [kg m²/s] about the centre of mass
+};
+
+/// What an impulse changes of a body.
+template <class T>
+struct BodyVelocity {
+  Vec3<T> v_WB = Vec3<T>::Constant(scalar::unset<T>());  // [m/s]
+  Vec3<T> L_W = Vec3<T>::Constant(scalar::unset<T>());   // [kg m²/s]
+};
+
+namespace formula {
+
+/// 1/m, 1/I_t, 1/I_a − 1/I_t, the last as (I_t − I_a)/(I_a I_t): a ball's is 0.
+/// Proof  derivations/impact.cpp.
+template <Field T>
+[[nodiscard]] Mobility<T> mobility(const T& mass, const Moments<T>& moments) {
+  return {.linear = T(T(1) / mass),
+          .transverse = T(T(1) / moments.transverse),
+          .axial = T((moments.transverse - moments.axial) / (moments.axial * moments.transverse))};
+}
+
+/// Angular velocity from angular momentum, both in W   [rad/s]:
+///
+///     ω = I⁻¹ L = L/I_t + (1/I_a − 1/I_t)(u · L) u
+///
+/// Domain  u unit.   Proof  derivations/impact.cpp.
+template <Field T>
+[[nodiscard]] Vec3<T> turning(const Mobility<T>& mobility, const Vec3<T>& u_W, const Vec3<T>& L_W) {
+  const T along = mobility.axial * formula::dot(u_W, L_W);
+  return {T(mobility.transverse * L_W.x() + along * u_W.x()), T(mobility.transverse * L_W.y() + along * u_W.y()),
+          T(mobility.transverse * L_W.z() + along * u_W.z())};
+}
+
+/// Velocity of the body's point at r from its centre of mass   [m/s]: v + ω × r.
+/// Proof  derivations/impact.cpp.
+template <Field T>
+[[nodiscard]] Vec3<T> point_velocity(const ImpactBody<T>& body, const Vec3<T>& r_W) {
+  return formula::plus(body.v_WB, formula::cross(formula::turning(body.mobility, body.u_W, body.L_W), r_W));
+}
+
+/// By how much an impulse p at r from the centre of mass changes the velocity there   [m/s]:
+///
+///     W p = p/m + (I⁻¹ (r × p)) × r
+///
+/// n · W n for a unit vector n is the talk's K(n)   [1/kg]: what the velocity along n gains for each unit of impulse
+/// along n. For a point whose normal goes through the centre of mass it is 1/m.
+/// Domain  u unit.   Proof  derivations/impact.cpp.
+template <Field T>
+[[nodiscard]] Vec3<T> response(const Mobility<T>& mobility, const Vec3<T>& u_W, const Vec3<T>& r_W,
+                               const Vec3<T>& impulse_W) {
+  const Vec3<T> turned = formula::cross(formula::turning(mobility, u_W, formula::cross(r_W, impulse_W)), r_W);
+  return formula::plus(turned, mobility.linear, impulse_W);
+}
+
+/// The body after an impulse p at r from its centre of mass: v + p/m, L + r × p.
+/// Proof  derivations/impact.cpp.
+template <Field T>
+[[nodiscard]] BodyVelocity<T> pushed(const ImpactBody<T>& body, const Vec3<T>& r_W, const Vec3<T>& impulse_W) {
+  return {.v_WB = formula::plus(body.v_WB, body.mobility.linear, impulse_W),
+          .L_W = formula::plus(body.L_W, formula::cross(r_W, impulse_W))};
+}
+
+}  // namespace formula
+
+/// Domain  mass > 0, 0 < I_a <= 2 I_t; all finite; else InvalidArgument.
+template <Ordered T>
+[[nodiscard]] Mobility<T> make_mobility(const T& mass, const Moments<T>& moments) {
+  require_positive("mass", mass);
+  require_physical(moments);
+  return formula::mobility(mass, moments);
+}
+
+template <Ordered T>
+[[nodiscard]] Mobility<T> make_mobility(const MassProperties<T>& stone) {
+  return make_mobility(stone.mass, stone.moments);
+}
+
+/// Of a body that does not turn: every law without friction is then the linear response, for one body or for two.
+/// Domain  mass > 0 and finite, else InvalidArgument.
+template <Ordered T>
+[[nodiscard]] Mobility<T> make_linear_mobility(const T& mass) {
+  require_positive("mass", mass);
+  return {.linear = T(T(1) / mass), .transverse = T(0), .axial = T(0)};
+}
+
+/// Of a body that does not answer: no impulse changes how it moves.
+template <Field T>
+[[nodiscard]] constexpr Mobility<T> fixed_mobility() {
+  return {.linear = T(0), .transverse = T(0), .axial = T(0)};
+}
+
+namespace detail {
+
+/// Throws InvalidArgument unless everything is finite, the axis a unit vector, and the mobility that of a body.
+template <Ordered T>
+void require_body(const ImpactBody<T>& body) {
+  const auto sum = [](const Vec3<T>& v) { return T(v.x() + v.y() + v.z()); };
+  if (!scalar::is_finite(T((sum(body.p_WB) + sum(body.v_WB)) + sum(body.L_W)))) [[unlikely]] {
+    const auto require_each = [](const char* argument, const Vec3<T>& v) {
+      for (const T& coordinate : v) {
+        require(scalar::is_finite(coordinate), argument, coordinate, "must be finite");
+      }
+    };
+    require_each("position", body.p_WB);
+    require_each("velocity", body.v_WB);
+    require_each("angular momentum", body.L_W);
+  }
+  require_direction(body.u_W, "axis");
+  const Mobility<T>& m = body.mobility;
+  require(T(0) <= m.linear && scalar::is_finite(m.linear), "mobility", m.linear,
+          "must be that of a body: use make_mobility");
+  // 1/I_a >= 0, whatever the sign of the difference.
+  require(T(0) <= m.transverse && scalar::is_finite(m.transverse) && T(0) <= m.transverse + m.axial &&
+              scalar::is_finite(m.axial),
+          "mobility", m.transverse, "must be that of a body: use make_mobility");
+}
+
+}  // namespace detail
+}  // namespace goishi

@@ -1,0 +1,33 @@
+#pragma once
+/// \file
+/// The default law: Chatterjee and Ruina's, with tangential restitution 0.
+/// Source  A. Chatterjee, A. Ruina, "A new algebraic rigid-body collision law based on impulse space considerations",
+///         Journal of Applied Mechanics 65 (1998).
+
+#include <goishi/impact/impulses.hpp>
+#include <goishi/impact/material.hpp>
+
+namespace goishi::detail {
+
+/// p = (1 + e) p_I + κ (p_II − p_I), κ = 1, or the value that puts p on the friction cone
+/// (`formula::chatterjee_ruina_impulse`). With κ = 1 the contact leaves with e W p_I: no slip but what the
+/// restitution's own impulse makes.
+template <Ordered T>
+[[nodiscard]] LawImpulse<T> chatterjee_ruina(const Collision<T>& c) {
+  const T approach = formula::dot(c.v, c.n);
+  const T mobility = formula::dot(c.n, formula::product(c.W, c.n));
+  const T plastic = formula::normal_impulse(approach, mobility, T(0));
+  const Vec3<T> sticking = formula::sticking_impulse(c.W, c.v);
+  const T sticking_normal = formula::dot(sticking, c.n);
+  const Vec3<T> tangential = formula::plus(sticking, T(-sticking_normal), c.n);
+  // Sticking needs |p_t| <= μ p_n; here over 1 + μ, which is finite for infinite friction, too.
+  const T against = T(1) / (T(1) + T(1) / c.friction), along = T(1) / (T(1) + c.friction);
+  const T normal = against * ((T(1) + c.restitution) * plastic), gained = against * (sticking_normal - plastic);
+  const T needed = along * scalar::sqrt(formula::dot(tangential, tangential));
+  const bool sticks = !(normal < needed - gained);
+  const T kappa = sticks ? T(1) : formula::cone_fraction(normal, needed, gained);
+  return {sticks ? ImpactOutcome::stuck : ImpactOutcome::slid,
+          formula::chatterjee_ruina_impulse(plastic, sticking, c.n, c.restitution, kappa), 1};
+}
+
+}  // namespace goishi::detail

@@ -1,0 +1,146 @@
+#pragma once
+/// \file
+/// Impacts: from how two bodies meet at a point to the impulse between them and how they leave. Every law is
+/// symmetric in the two bodies; a fixed one is a body that does not answer.
+
+#include <goishi/impact/chatterjee_ruina.hpp>
+#include <goishi/impact/published.hpp>
+#include <goishi/impact/stronge.hpp>
+
+namespace goishi {
+
+/// An impact of a body on a fixed one.
+template <class T>
+struct Impact {
+  Impulse<T> impulse;
+  BodyVelocity<T> body;  // after
+};
+
+/// An impact of two bodies.
+template <class T>
+struct TwoBodyImpact {
+  Impulse<T> impulse;     // on the first; the second gets the opposite
+  BodyVelocity<T> first;  // after
+  BodyVelocity<T> second;
+};
+
+namespace detail {
+
+template <Ordered T>
+[[nodiscard]] LawImpulse<T> law_impulse(ImpactLaw law, const Collision<T>& c) {
+  switch (law) {
+    case ImpactLaw::published:
+      return published(c);
+    case ImpactLaw::stronge:
+      return stronge(c);
+    case ImpactLaw::chatterjee_ruina:
+      break;
+  }
+  return chatterjee_ruina(c);
+}
+
+/// The answer to an impulse p, after which the contact moves with `after`.
+template <Ordered T>
+[[nodiscard]] Impulse<T> answer(const LawImpulse<T>& found, const Vec3<T>& n_W, const Vec3<T>& before,
+                                const Vec3<T>& after) {
+  const Vec3<T>& p = found.p;  // and component by component: see vector.hpp
+  return {.outcome = found.outcome,
+          .impulse_W = {p.x(), p.y(), p.z()},
+          .normal = formula::dot(p, n_W),
+          .velocity_before = {before.x(), before.y(), before.z()},
+          .velocity_after = {after.x(), after.y(), after.z()},
+          .energy_change = formula::work(p, before, after),
+          .rounds = found.rounds};
+}
+
+/// The impulse of a contact that meets with velocity v. `response(p)` is W p, `matrix()` W itself, which is made only
+/// where friction needs it.
+template <Ordered T, class Response, class Matrix>
+[[nodiscard]] Impulse<T> impulse_of(ImpactLaw law, const Material<T>& material, const Vec3<T>& n_W, const Vec3<T>& v_W,
+                                    const Response& response, const Matrix& matrix) {
+  const T approach = formula::dot(v_W, n_W);
+  if (!(approach < T(0))) {
+    return answer({ImpactOutcome::separating, Vec3<T>(T(0), T(0), T(0)), 0}, n_W, v_W, v_W);
+  }
+  if (!(T(0) < material.friction)) {
+    const Vec3<T> Wn = response(n_W);
+    const T j = formula::normal_impulse(approach, formula::dot(n_W, Wn), material.restitution);
+    return answer({ImpactOutcome::slid, formula::scaled(j, n_W), 1}, n_W, v_W, formula::plus(v_W, j, Wn));
+  }
+  const ContactMatrix<T> W = matrix();
+  const LawImpulse<T> found = law_impulse<T>(law, {W, v_W, n_W, material.restitution, material.friction});
+  return answer(found, n_W, v_W, formula::plus(v_W, formula::product(W, found.p)));
+}
+
+template <Ordered T>
+void require_contact(const Material<T>& material, const Vec3<T>& p_WC, const Vec3<T>& n_W) {
+  require_material(material);
+  require_point(p_WC, "contact point");
+  require_direction(n_W);
+}
+
+}  // namespace detail
+
+/// A body meets a fixed one at p_WC; n_W, unit, points out of the fixed body.
+///
+/// Domain  0 <= e <= 1, 0 <= μ, infinity allowed; unit normal and axis, a mobility of `make_mobility`, all finite;
+///         else InvalidArgument. A contact that does not approach gets no impulse (`ImpactOutcome::separating`).
+/// Error   v_n⁺ + e v_n⁻ of chatterjee_ruina within 1e-14 of |v| (claim IMPACT-1). No law gains energy (IMPACT-4),
+///         every impulse is in the friction cone (IMPACT-5). Beside Stronge's law: IMPACT-8.
+/// Cost    chatterjee_ruina: one symmetric 3 × 3 solution, no allocation. Without friction, no matrix.
+/// Proof   derivations/impact.cpp.
+template <Ordered T>
+[[nodiscard]] Impact<T> resolve(ImpactLaw law, const Material<T>& material, const Vec3<T>& p_WC, const Vec3<T>& n_W,
+                                const ImpactBody<T>& body) {
+  detail::require_contact(material, p_WC, n_W);
+  detail::require_body(body);
+  const Vec3<T> r = formula::minus(p_WC, body.p_WB);
+  Impact<T> result{.impulse = detail::impulse_of(
+                       law, material, n_W, formula::point_velocity(body, r),
+                       [&](const Vec3<T>& p) { return formula::response(body.mobility, body.u_W, r, p); },
+                       [&] { return formula::contact_matrix(body.mobility, body.u_W, r); }),
+                   .body = formula::pushed(body, r, result.impulse.impulse_W)};
+  return result;
+}
+
+/// Two bodies meet at p_WC; n_W, unit, points out of the second towards the first. Exchanging the bodies and turning
+/// the normal round exchanges the results (claim IMPACT-2).
+/// Domain  as above; at least one of the two answers to an impulse.
+template <Ordered T>
+[[nodiscard]] TwoBodyImpact<T> resolve(ImpactLaw law, const Material<T>& material, const Vec3<T>& p_WC,
+                                       const Vec3<T>& n_W, const ImpactBody<T>& first, const ImpactBody<T>& second) {
+  detail::require_contact(material, p_WC, n_W);
+  detail::require_body(first);
+  detail::require_body(second);
+  require(T(0) < first.mobility.linear + second.mobility.linear, "mobility", second.mobility.linear,
+          "must not be that of a fixed body for both");
+  const Vec3<T> r1 = formula::minus(p_WC, first.p_WB), r2 = formula::minus(p_WC, second.p_WB);
+  TwoBodyImpact<T> result;
+  result.impulse = detail::impulse_of(
+      law, material, n_W, formula::minus(formula::point_velocity(first, r1), formula::point_velocity(second, r2)),
+      [&](const Vec3<T>& p) {
+        return formula::plus(formula::response(first.mobility, first.u_W, r1, p),
+                             formula::response(second.mobility, second.u_W, r2, p));
+      },
+      [&] {
+        return formula::sum(formula::contact_matrix(first.mobility, first.u_W, r1),
+                            formula::contact_matrix(second.mobility, second.u_W, r2));
+      });
+  result.first = formula::pushed(first, r1, result.impulse.impulse_W);
+  result.second = formula::pushed(second, r2, formula::scaled(T(-1), result.impulse.impulse_W));
+  return result;
+}
+
+/// The talk's linear response: a body that does not turn meets a fixed one with a momentum; j = −(1 + e) p · n if it
+/// approaches.
+/// Returns the impulse along n   [N s]; 0 for a body that leaves.
+/// Domain  0 <= e <= 1, a unit normal, a finite momentum; else InvalidArgument.
+template <Ordered T>
+[[nodiscard]] T linear_response(const Vec3<T>& momentum, const Vec3<T>& n_W, const T& restitution) {
+  require_material(Material<T>{.restitution = restitution, .friction = T(0)});
+  detail::require_point(momentum, "momentum");
+  detail::require_direction(n_W);
+  return formula::dot(momentum, n_W) < T(0) ? formula::linear_impulse(momentum, n_W, restitution) : T(0);
+}
+
+}  // namespace goishi

@@ -1,0 +1,93 @@
+#pragma once
+/// \file
+/// What an impact law is told about the two surfaces, and what it answers.
+
+#include <cstddef>
+#include <goishi/error.hpp>
+#include <goishi/impact/contact_matrix.hpp>
+#include <limits>
+#include <string_view>
+
+namespace goishi {
+
+/// Restitution e and Coulomb friction μ of a pair of surfaces. Made by `make_material`.
+template <class T>
+struct Material {
+  T restitution = scalar::unset<T>();
+  T friction = scalar::unset<T>();  // infinity is allowed
+};
+
+/// Throws InvalidArgument unless 0 <= e <= 1 and 0 <= μ, infinity allowed.
+template <Ordered T>
+void require_material(const Material<T>& material) {
+  require(T(0) <= material.restitution && material.restitution <= T(1), "restitution", material.restitution,
+          "must be from 0 to 1");
+  require(T(0) <= material.friction, "friction", material.friction, "must be at least 0 (infinity is allowed)");
+}
+
+/// Domain  0 <= e <= 1, 0 <= μ, infinity allowed; else InvalidArgument.
+template <Ordered T>
+[[nodiscard]] Material<T> make_material(const T& restitution, const T& friction) {
+  const Material<T> material{.restitution = restitution, .friction = friction};
+  require_material(material);
+  return material;
+}
+
+/// How an impulse is found from restitution and friction. Without friction all are the same: v_n⁺ = −e v_n⁻.
+enum class ImpactLaw {
+  chatterjee_ruina,  // the default: v_n⁺ = −e v_n⁻ exactly, closed form, energy cannot grow
+  published,         // the talk's: normal impulse, then friction, again while the contact still approaches
+  stronge            // energetic restitution, the impact integrated in its normal impulse: the reference
+};
+
+[[nodiscard]] constexpr std::string_view to_string(ImpactLaw law) {
+  constexpr std::string_view names[] = {"chatterjee_ruina", "published", "stronge"};
+  return names[static_cast<std::size_t>(law)];
+}
+
+enum class ImpactOutcome {
+  separating,    // the contact does not approach: no impulse
+  stuck,         // friction stayed below its limit. stronge: no slip is left; chatterjee_ruina: only what the
+                 // restitution's own impulse makes, e W p_I; published: none along the slip that friction met
+  slid,          // friction reached its limit
+  not_converged  // the law's cap was reached: the impulse is what it had by then
+};
+
+[[nodiscard]] constexpr std::string_view to_string(ImpactOutcome outcome) {
+  constexpr std::string_view names[] = {"separating", "stuck", "slid", "not converged"};
+  return names[static_cast<std::size_t>(outcome)];
+}
+
+/// What a law answers, on the first of two bodies; the second gets the opposite.
+template <class T>
+struct Impulse {
+  ImpactOutcome outcome = ImpactOutcome::separating;
+  Vec3<T> impulse_W = Vec3<T>::Zero();                              // [N s]
+  T normal = T(0);                                                  // its part along the normal, >= 0
+  Vec3<T> velocity_before = Vec3<T>::Constant(scalar::unset<T>());  // [m/s] of the contact points, first − second
+  Vec3<T> velocity_after = Vec3<T>::Constant(scalar::unset<T>());
+  T energy_change = T(0);  // [J] of both bodies
+  int rounds = 0;          // normal-and-friction rounds, or steps of the integration
+};
+
+namespace detail {
+
+/// A contact that approaches, as a law sees it: the bodies are gone.
+template <class T>
+struct Collision {
+  const ContactMatrix<T>& W;
+  const Vec3<T>& v;  // of the contact points, first − second; v · n < 0
+  const Vec3<T>& n;  // unit, out of the second towards the first
+  T restitution;
+  T friction;  // > 0
+};
+
+template <class T>
+struct LawImpulse {
+  ImpactOutcome outcome;
+  Vec3<T> p;
+  int rounds;
+};
+
+}  // namespace detail
+}  // namespace goishi
