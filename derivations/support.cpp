@@ -1,6 +1,6 @@
 /// \file
-/// The support function of the stone: maximiser on cap and rim, its switch, thin stones; the distance from the core; and the
-/// bound that makes the time of impact safe.
+/// The support function of the stone: maximiser on cap and rim, its switch, thin stones; the distance from the core; which
+/// points of two rims separate two stones most; and the bound that makes the time of impact safe.
 
 #include <goishi/contact/stone_plane.hpp>
 #include <goishi/shape/surface.hpp>
@@ -122,6 +122,49 @@ $\rho = s\,(1 - p^2)/(1 + p^2)$, $\zeta + d = 2 s p/(1 + p^2)$ the root is $s$.)
                   .controls = scaled(distance)});
 }
 
+/// What `detail::RimSearch` (contact/rim_rim.hpp) rests on. The normal is z; the tangents of the circles, at an angle β, lie
+/// across it; each circle's radius makes an angle with z whose cosine is n_r. All by half-angle tangents.
+void rims(Document& document) {
+  document.section("Two rims");
+  document.text(
+      R"(Where two stones meet a normal $n$ with their rims, $g(n) = D \cdot n - c_1 n_{r1} - c_2 n_{r2}$. Where that is
+stationary, $w = D - c_1 e_1 - c_2 e_2 = g n$ is across both circles, $e_i$ the radial directions of $n$: the points are those
+of a stationary distance of the circles. With $k_i = c_i/n_{ri}$ and $t_i$ the tangents, the second derivative of $-g$ is
+$M = g + k_1 t_1 t_1^T + k_2 t_2 t_2^T$.)");
+  const possymbol c1("c1", "c_1"), c2("c2", "c_2");
+  const realsymbol g("g"), beta("b", R"(\tan\frac{\beta}{2})"), p1("p1", "p_1"), p2("p2", "p_2");
+  const auto cosine = [](const ex& t) { return ex((1 - pow(t, 2)) / (1 + pow(t, 2))); };
+  const auto sine = [](const ex& t) { return ex(2 * t / (1 + pow(t, 2))); };
+  using Vector = Eigen::Matrix<ex, 3, 1>;
+  const Vector z(ex(0), ex(0), ex(1));
+  const Vector t1(ex(1), ex(0), ex(0)), t2(cosine(beta), sine(beta), ex(0));
+  const auto radial = [&](const Vector& t, const ex& p) { return Vector(cosine(p) * z + sine(p) * z.cross(t)); };
+  const Vector e1 = radial(t1, p1), e2 = radial(t2, p2);
+  // Round the circles by angles from there.
+  const realsymbol a1("a1", R"(\phi_1)"), a2("a2", R"(\phi_2)");
+  const Vector w = g * z - c1 * (cos(a1) * e1 + sin(a1) * t1 - e1) - c2 * (cos(a2) * e2 + sin(a2) * t2 - e2);
+  const ex half_square = w.dot(w) / 2;
+  const auto there = [&](const ex& e) { return e.subs(exmap{{a1, 0}, {a2, 0}}).normal(); };
+  const ex curved =
+      there(half_square.diff(a1, 2)) * there(half_square.diff(a2, 2)) - pow(there(half_square.diff(a1).diff(a2)), 2);
+  const ex k1 = c1 / cosine(p1), k2 = c2 / cosine(p2);
+  const ex determinant =
+      (g + k1 + k2 * pow(cosine(beta), 2)) * (g + k2 * pow(sine(beta), 2)) - pow(k2 * cosine(beta) * sine(beta), 2);
+  document.prove({.text = R"(the distance is stationary there, whatever $g$)",
+                  .result = pow(there(half_square.diff(a1)), 2) + pow(there(half_square.diff(a2)), 2),
+                  .witness = ex(0),
+                  .controls = {ex(g)}});
+  document.prove({.text = R"(the determinant of the second derivative of $\frac12 |w|^2$ by the two angles is
+$\frac{c_1^2 c_2^2}{k_1 k_2} \det M$)",
+                  .result = (curved * k1 * k2 / pow(c1 * c2, 2)).normal(),
+                  .witness = determinant,
+                  .controls = scaled(determinant)});
+  document.text(
+      R"(At a maximum of $g$, $M$ is not negative. Where the cores overlap, $g < 0$, so $-g$ is at most the least eigenvalue
+of $k_1 t_1 t_1^T + k_2 t_2 t_2^T$, which is at most $\min(k_1, k_2) \sin^2\beta$; then both diagonal derivatives,
+$c_i^2 (1 + g/k_i)$, are not negative either: such a maximum is a local *minimum* of the distance of the circles.)");
+}
+
 void impact(Document& document, const goishi::Stone<ex>& stone, const Torus& torus) {
   document.section("The bound of the time of impact");
   document.text(
@@ -180,6 +223,7 @@ int main() {
     rim(document, stone, n);
     joint(document, stone, torus, n);
     core(document, stone);
+    rims(document);
     impact(document, stone, torus);
   });
 }

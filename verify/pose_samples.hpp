@@ -44,6 +44,14 @@ namespace goishi::verify {
   return std::cos(angle) * n + std::sin(angle) * (std::cos(turn) * across + std::sin(turn) * n.cross(across));
 }
 
+/// An axis such that the stone meets n with its rim, turned about n.
+[[nodiscard]] inline Vec3<double> axis_on_rim(Context& context, const Stone<double>& stone, const Vec3<double>& n,
+                                              double turn) {
+  const double axial = context.uniform(-1.0, 1.0) * stone.joint_sine;
+  const Vec3<double> across = n.unitOrthogonal();
+  return axial * n + std::sqrt(1.0 - axial * axial) * (std::cos(turn) * across + std::sin(turn) * n.cross(across));
+}
+
 inline constexpr std::array board_strata = {"surface", "edge",     "corner", "deep",
                                             "beside",  "touching", "switch", "aligned"};
 
@@ -110,7 +118,7 @@ inline constexpr std::array board_strata = {"surface", "edge",     "corner", "de
 }
 
 inline constexpr std::array pair_strata = {"near",     "overlapping", "deep", "concentric", "parallel",
-                                           "touching", "aligned",     "far",  "switch"};
+                                           "touching", "aligned",     "far",  "switch",     "crossed"};
 inline constexpr int pair_strata_count = static_cast<int>(pair_strata.size());
 
 /// Two stones.
@@ -126,6 +134,15 @@ struct Pair {
 /// As far apart as the centres can be when the stones touch.
 [[nodiscard]] inline double reach_of(const Pair& pair) {
   return (outer_width(pair.first.stone) + outer_width(pair.second.stone)) / 2.0;
+}
+
+/// Puts the first stone where it touches the second along n.
+inline void touch_along(Pair& pair, const Vec3<double>& n) {
+  const auto point = [&](const Specimen& specimen, const Pose<double>& pose) {
+    const Vec3<double> n_B = pose.q_WB.conjugate() * n;
+    return Vec3<double>(pose.q_WB * support(specimen.stone, Vec3<double>(n_B.normalized())).p_B);
+  };
+  pair.pose.p_WB = pair.other_pose.p_WB + point(pair.second, pair.other_pose) + point(pair.first, pair.pose);
 }
 
 /// A pair of stratum i.
@@ -176,19 +193,27 @@ struct Pair {
     case 7:
       put(reach / draw_small(context, 6.0));
       break;
-    default: {  // touching where cap and rim meet, of one stone or of both
+    case 8: {  // touching where cap and rim meet, of one stone or of both
       if (turn % 3 != 0) {
         pair.pose.q_WB = attitude_with_axis(context, axis_at_switch(context, pair.first.stone, away));
       }
       if (turn % 3 != 1) {
         pair.other_pose.q_WB = attitude_with_axis(context, axis_at_switch(context, pair.second.stone, away));
       }
-      const auto point = [&](const Specimen& specimen, const Pose<double>& pose) {
-        const Vec3<double> n_B = pose.q_WB.conjugate() * away;
-        return Vec3<double>(pose.q_WB * support(specimen.stone, Vec3<double>(n_B.normalized())).p_B);
-      };
-      pair.pose.p_WB = pair.other_pose.p_WB + point(pair.second, pair.other_pose) + point(pair.first, pair.pose) +
-                       reach * context.uniform(-1.0, 1.0) * draw_small(context, 16.0) * away;
+      touch_along(pair, away);
+      pair.pose.p_WB += reach * context.uniform(-1.0, 1.0) * draw_small(context, 16.0) * away;
+      break;
+    }
+    default: {  // rim in rim, nearly as deep as the normal there stays a maximum: of several, the one that is hard to find
+      const double first_turn = context.uniform(-3.1, 3.1), between = context.uniform(-3.1, 3.1);
+      pair.pose.q_WB = attitude_with_axis(context, axis_on_rim(context, pair.first.stone, away, first_turn));
+      pair.other_pose.q_WB =
+          attitude_with_axis(context, axis_on_rim(context, pair.second.stone, away, first_turn + between));
+      touch_along(pair, away);
+      const double bevels = pair.first.stone.bevel_minor_radius + pair.second.stone.bevel_minor_radius;
+      const double deepest = std::min(pair.first.stone.bevel_major_radius, pair.second.stone.bevel_major_radius) *
+                             std::pow(std::sin(between), 2);
+      pair.pose.p_WB -= (bevels + context.uniform(0.5, 1.0) * deepest) * away;
       break;
     }
   }

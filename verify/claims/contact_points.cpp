@@ -54,32 +54,47 @@ struct Between {
   Long3 operator()(const Long3& n) const { return stone(n) - other(n); }
 };
 
-/// Newton's step to the stationary normal, in the space of some directions across n: curvatures by central differences.
+/// Newton's step to the stationary normal, in the space of one or two directions across n.
 struct Correction {
   Long3 step;
   Long stiffness;  // the least eigenvalue: what a normal that is off by one radian costs in slope [m]
 };
 
-Correction correction(const Between& between, const Long3& n, const std::vector<Long3>& directions) {
+/// Curvatures by differences to the side of these signs: at the joint of cap and rim they jump.
+Correction correction(const Between& between, const Long3& n, const std::vector<Long3>& directions,
+                      const std::array<Long, 2>& signs) {
   constexpr Long h = 1e-7L;
   const Long3 w = between(n);
-  const auto change = [&](const Long3& e) {
-    return Long3((between((n + h * e).normalized()) - between((n - h * e).normalized())) / (2 * h));
+  const auto change = [&](const Long3& e, Long sign) {
+    return Long3((between((n + sign * h * e).normalized()) - w) / (sign * h));
   };
-  if (directions.empty()) {
-    return {Long3::Zero(), std::numeric_limits<Long>::infinity()};
-  }
   const Long gap = w.dot(n);
   const Long3& e = directions.front();
-  const Long a = gap - change(e).dot(e);
+  const Long3 by_e = change(e, signs[0]);
+  const Long a = gap - by_e.dot(e);
   if (directions.size() == 1) {
     return {w.dot(e) / a * e, a};
   }
   const Long3& f = directions.back();
-  const Long b = (-change(e).dot(f) - change(f).dot(e)) / 2, c = gap - change(f).dot(f);
+  const Long3 by_f = change(f, signs[1]);
+  const Long b = (-by_e.dot(f) - by_f.dot(e)) / 2, c = gap - by_f.dot(f);
   const Long determinant = a * c - b * b;
   const Long s = (c * w.dot(e) - b * w.dot(f)) / determinant, t = (a * w.dot(f) - b * w.dot(e)) / determinant;
   return {s * e + t * f, (a + c) / 2 - std::hypot((a - c) / 2, b)};
+}
+
+/// To the softest side.
+Correction correction(const Between& between, const Long3& n, const std::vector<Long3>& directions) {
+  Correction softest{Long3::Zero(), std::numeric_limits<Long>::infinity()};
+  if (!directions.empty()) {
+    for (const std::array<Long, 2>& signs : {std::array<Long, 2>{1, 1}, {1, -1}, {-1, 1}, {-1, -1}}) {
+      const Correction side = correction(between, n, directions, signs);
+      if (!(side.stiffness >= softest.stiffness)) {
+        softest = side;
+      }
+    }
+  }
+  return softest;
 }
 
 /// Directions across n in which the board's normal may turn.

@@ -200,7 +200,7 @@ std::vector<Claim> published_contact_claims() {
        .bound = 0.5,
        .reason = "half a unit of the last digit that is given",
        .resolution = 0.5,
-       .mutants = {{"contact/separating_axis.hpp", "result.add(x + up);", "result.add(x + x + up);"},
+       .mutants = {{"contact/separating_axis.hpp", "result.add(x + up);", "result.add(x + up + up);"},
                    {"contact/separating_axis.hpp", "result.add(x + y + up);", "result.add(x + y + up + up);"}},
        .measure = measure_false_collisions},
       {.id = "PUBLISHED-12",

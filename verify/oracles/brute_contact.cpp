@@ -161,7 +161,7 @@ bool is_promising(double value, const Sample& known, const Seen<double>& stone) 
 /// The best of samples over the sphere, the best few of them climbed from.
 template <class F>
 Sample search_sphere(F&& f, int count, const std::vector<Seen<double>>& stones, Sample known) {
-  constexpr std::size_t climbed = 3;
+  constexpr std::size_t climbed = 6;
   std::array<Sample, climbed> top;
   top.fill({-std::numeric_limits<double>::infinity(), {0.0, 0.0, 1.0}});
   const double apart = 1.0 - 4.0 / count;  // cosine: others are the same hill

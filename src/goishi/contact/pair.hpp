@@ -171,7 +171,8 @@ template <Ordered T>
       part = part / T(2);
     }
     if (!climbed) {
-      stationary = now->slope <= T(1024) * small;
+      // What is left to gain is below what g can tell.
+      stationary = now->slope * scalar::sqrt(formula::dot(step, step)) <= small;
       break;
     }
     std::swap(now, next);

@@ -9,7 +9,7 @@
 /// first circle, its distance from the second as a function of one angle, and leaves out stretches of it by bounds:
 /// the distance changes by c₁ per radian at most; the second derivative of its square is bounded above, so that a minimum
 /// keeps away from a slope; where the third derivative leaves that second one a sign, there is no minimum or just one, which
-/// Newton's method finds.
+/// Newton's method finds. Proof of the determinant: derivations/support.cpp.
 
 #include <array>
 #include <goishi/contact/pair.hpp>
@@ -119,7 +119,7 @@ class RimSearch {
         return;  // the slope has one sign
       }
     }
-    constexpr int deepest_level = 24, most = 600;
+    constexpr int deepest_level = 24, most = 3000;
     if (depth == deepest_level || most < count_) {
       complete_ = false;
       return;

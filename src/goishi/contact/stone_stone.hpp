@@ -76,7 +76,8 @@ template <Ordered T>
 /// Domain  finite poses with unit attitudes, else InvalidArgument. Coincident centres are ordinary.
 /// Certificate  `certified` in the result. Separated, or overlapping by no more than the bevels: the distance of the two
 ///         core points is the separation of the cores (primal = dual). Cores that overlap: every stationary normal was
-///         looked at.
+///         looked at; not certified where that takes too many steps (rims that all but touch along their tangents), and the
+///         gap is then a lower bound.
 /// Error   gap within 1e-12 of the width (claim CONTACT-4).
 template <Ordered T>
 [[nodiscard]] Separation<T> separation(const Stone<T>& stone, const Pose<T>& pose, const Stone<T>& other,
