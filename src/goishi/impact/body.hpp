@@ -1,6 +1,9 @@
 #pragma once
 /// \file
 /// A body with a symmetry axis at the moment of an impact: how it answers to an impulse at one of its points.
+///
+/// Here and in the headers of the default law, `inline` is for speed: without the word g++ 12 leaves templates of this
+/// length out of line, and their vectors go through memory.
 
 #include <goishi/error.hpp>
 #include <goishi/mass/inertia.hpp>
@@ -63,7 +66,7 @@ template <Field T>
 /// Velocity of the body's point at r from its centre of mass   [m/s]: v + ω × r.
 /// Proof  derivations/impact.cpp.
 template <Field T>
-[[nodiscard]] Vec3<T> point_velocity(const ImpactBody<T>& body, const Vec3<T>& r_W) {
+[[nodiscard]] inline Vec3<T> point_velocity(const ImpactBody<T>& body, const Vec3<T>& r_W) {
   return formula::plus(body.v_WB, formula::cross(formula::turning(body.mobility, body.u_W, body.L_W), r_W));
 }
 
@@ -75,8 +78,8 @@ template <Field T>
 /// along n. For a point whose normal goes through the centre of mass it is 1/m.
 /// Domain  u unit.   Proof  derivations/impact.cpp.
 template <Field T>
-[[nodiscard]] Vec3<T> response(const Mobility<T>& mobility, const Vec3<T>& u_W, const Vec3<T>& r_W,
-                               const Vec3<T>& impulse_W) {
+[[nodiscard]] inline Vec3<T> response(const Mobility<T>& mobility, const Vec3<T>& u_W, const Vec3<T>& r_W,
+                                      const Vec3<T>& impulse_W) {
   const Vec3<T> turned = formula::cross(formula::turning(mobility, u_W, formula::cross(r_W, impulse_W)), r_W);
   return formula::plus(turned, mobility.linear, impulse_W);
 }
@@ -120,20 +123,24 @@ template <Field T>
 
 namespace detail {
 
-/// Throws InvalidArgument unless everything is finite, the axis a unit vector, and the mobility that of a body.
+/// Whether `require_direction` has nothing to object to, but component by component: see vector.hpp.
 template <Ordered T>
-void require_body(const ImpactBody<T>& body) {
-  const auto sum = [](const Vec3<T>& v) { return T(v.x() + v.y() + v.z()); };
-  if (!scalar::is_finite(T((sum(body.p_WB) + sum(body.v_WB)) + sum(body.L_W)))) [[unlikely]] {
-    const auto require_each = [](const char* argument, const Vec3<T>& v) {
-      for (const T& coordinate : v) {
-        require(scalar::is_finite(coordinate), argument, coordinate, "must be finite");
-      }
-    };
-    require_each("position", body.p_WB);
-    require_each("velocity", body.v_WB);
-    require_each("angular momentum", body.L_W);
-  }
+[[nodiscard]] inline bool is_unit(const Vec3<T>& direction) {
+  const T defect = formula::dot(direction, direction) - T(1);
+  return defect < unit_tolerance<T>() && -unit_tolerance<T>() < defect;
+}
+
+/// As `require_body`, one by one.
+template <Ordered T>
+void require_each_of(const ImpactBody<T>& body) {
+  const auto require_each = [](const char* argument, const Vec3<T>& v) {
+    for (const T& coordinate : v) {
+      require(scalar::is_finite(coordinate), argument, coordinate, "must be finite");
+    }
+  };
+  require_each("position", body.p_WB);
+  require_each("velocity", body.v_WB);
+  require_each("angular momentum", body.L_W);
   require_direction(body.u_W, "axis");
   const Mobility<T>& m = body.mobility;
   require(T(0) <= m.linear && scalar::is_finite(m.linear), "mobility", m.linear,
@@ -142,6 +149,20 @@ void require_body(const ImpactBody<T>& body) {
   require(T(0) <= m.transverse && scalar::is_finite(m.transverse) && T(0) <= m.transverse + m.axial &&
               scalar::is_finite(m.axial),
           "mobility", m.transverse, "must be that of a body: use make_mobility");
+}
+
+/// Throws InvalidArgument unless everything is finite, the axis a unit vector, and the mobility that of a body. A sum
+/// is finite only if all its parts are.
+template <Ordered T>
+inline void require_body(const ImpactBody<T>& body) {
+  const auto sum = [](const Vec3<T>& v) { return T(v.x() + v.y() + v.z()); };
+  const Mobility<T>& m = body.mobility;
+  const T turning = m.transverse + m.axial;
+  const T all = (sum(body.p_WB) + sum(body.v_WB)) + (sum(body.L_W) + (m.linear + turning));
+  if (!(scalar::is_finite(all) && is_unit(body.u_W) && T(0) <= m.linear && T(0) <= m.transverse && T(0) <= turning))
+      [[unlikely]] {
+    require_each_of(body);
+  }
 }
 
 }  // namespace detail

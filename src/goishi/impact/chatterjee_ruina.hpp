@@ -13,15 +13,16 @@ namespace goishi::detail {
 /// (`formula::chatterjee_ruina_impulse`). With κ = 1 the contact leaves with e W p_I: no slip but what the
 /// restitution's own impulse makes.
 template <Ordered T>
-[[nodiscard]] LawImpulse<T> chatterjee_ruina(const Collision<T>& c) {
+[[nodiscard]] inline LawImpulse<T> chatterjee_ruina(const Collision<T>& c) {
   const T approach = formula::dot(c.v, c.n);
   const T mobility = formula::dot(c.n, formula::product(c.W, c.n));
   const T plastic = formula::normal_impulse(approach, mobility, T(0));
   const Vec3<T> sticking = formula::sticking_impulse(c.W, c.v);
   const T sticking_normal = formula::dot(sticking, c.n);
   const Vec3<T> tangential = formula::plus(sticking, T(-sticking_normal), c.n);
-  // Sticking needs |p_t| <= μ p_n; here over 1 + μ, which is finite for infinite friction, too.
-  const T against = T(1) / (T(1) + T(1) / c.friction), along = T(1) / (T(1) + c.friction);
+  // Sticking needs |p_t| <= μ p_n; over μ where that is above 1, because it may be infinite.
+  const bool rough = T(1) < c.friction;
+  const T against = rough ? T(1) : c.friction, along = rough ? T(T(1) / c.friction) : T(1);
   const T normal = against * ((T(1) + c.restitution) * plastic), gained = against * (sticking_normal - plastic);
   const T needed = along * scalar::sqrt(formula::dot(tangential, tangential));
   const bool sticks = !(normal < needed - gained);

@@ -27,7 +27,8 @@ namespace formula {
 /// No tensor in W is built. Symmetric; its least eigenvalue is 1/m, along r.
 /// Domain  u unit.   Limits  r = 0: 1/m.   Proof  derivations/impact.cpp.
 template <Field T>
-[[nodiscard]] ContactMatrix<T> contact_matrix(const Mobility<T>& mobility, const Vec3<T>& u_W, const Vec3<T>& r_W) {
+[[nodiscard]] inline ContactMatrix<T> contact_matrix(const Mobility<T>& mobility, const Vec3<T>& u_W,
+                                                     const Vec3<T>& r_W) {
   const T x2 = scalar::sq(r_W.x()), y2 = scalar::sq(r_W.y()), z2 = scalar::sq(r_W.z());
   const T& t = mobility.transverse;
   const Vec3<T> c = formula::cross(r_W, u_W);
@@ -63,7 +64,7 @@ template <Field T>
 /// Domain  W positive definite, as a contact matrix is, and its determinant neither over- nor underflows.
 /// Proof  derivations/impact.cpp.
 template <Field T>
-[[nodiscard]] Vec3<T> solution(const ContactMatrix<T>& W, const Vec3<T>& v) {
+[[nodiscard]] inline Vec3<T> solution(const ContactMatrix<T>& W, const Vec3<T>& v) {
   const T a = W.yy * W.zz - W.yz * W.yz, b = W.xz * W.yz - W.xy * W.zz, c = W.xy * W.yz - W.xz * W.yy;
   const T d = W.xx * W.zz - W.xz * W.xz, e = W.xy * W.xz - W.xx * W.yz, f = W.xx * W.yy - W.xy * W.xy;
   const T scale = T(1) / (W.xx * a + W.xy * b + W.xz * c);

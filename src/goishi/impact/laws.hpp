@@ -26,23 +26,16 @@ struct TwoBodyImpact {
 
 namespace detail {
 
+/// By a law that is not the default.
 template <Ordered T>
-[[nodiscard]] LawImpulse<T> law_impulse(ImpactLaw law, const Collision<T>& c) {
-  switch (law) {
-    case ImpactLaw::published:
-      return published(c);
-    case ImpactLaw::stronge:
-      return stronge(c);
-    case ImpactLaw::chatterjee_ruina:
-      break;
-  }
-  return chatterjee_ruina(c);
+[[nodiscard]] LawImpulse<T> other_impulse(ImpactLaw law, const Collision<T>& c) {
+  return law == ImpactLaw::published ? published(c) : stronge(c);
 }
 
 /// The answer to an impulse p, after which the contact moves with `after`.
 template <Ordered T>
-[[nodiscard]] Impulse<T> answer(const LawImpulse<T>& found, const Vec3<T>& n_W, const Vec3<T>& before,
-                                const Vec3<T>& after) {
+[[nodiscard]] inline Impulse<T> answer(const LawImpulse<T>& found, const Vec3<T>& n_W, const Vec3<T>& before,
+                                       const Vec3<T>& after) {
   const Vec3<T>& p = found.p;  // and component by component: see vector.hpp
   return {.outcome = found.outcome,
           .impulse_W = {p.x(), p.y(), p.z()},
@@ -56,8 +49,8 @@ template <Ordered T>
 /// The impulse of a contact that meets with velocity v. `response(p)` is W p, `matrix()` W itself, which is made only
 /// where friction needs it.
 template <Ordered T, class Response, class Matrix>
-[[nodiscard]] Impulse<T> impulse_of(ImpactLaw law, const Material<T>& material, const Vec3<T>& n_W, const Vec3<T>& v_W,
-                                    const Response& response, const Matrix& matrix) {
+[[nodiscard]] inline Impulse<T> impulse_of(ImpactLaw law, const Material<T>& material, const Vec3<T>& n_W,
+                                           const Vec3<T>& v_W, const Response& response, const Matrix& matrix) {
   const T approach = formula::dot(v_W, n_W);
   if (!(approach < T(0))) {
     return answer({ImpactOutcome::separating, Vec3<T>(T(0), T(0), T(0)), 0}, n_W, v_W, v_W);
@@ -67,16 +60,24 @@ template <Ordered T, class Response, class Matrix>
     const T j = formula::normal_impulse(approach, formula::dot(n_W, Wn), material.restitution);
     return answer({ImpactOutcome::slid, formula::scaled(j, n_W), 1}, n_W, v_W, formula::plus(v_W, j, Wn));
   }
+  if (law == ImpactLaw::chatterjee_ruina) [[likely]] {  // in line, so in registers: no address of W or v leaves
+    const ContactMatrix<T> W = matrix();
+    const LawImpulse<T> found = chatterjee_ruina<T>({W, v_W, n_W, material.restitution, material.friction});
+    return answer(found, n_W, v_W, formula::plus(v_W, formula::product(W, found.p)));
+  }
   const ContactMatrix<T> W = matrix();
-  const LawImpulse<T> found = law_impulse<T>(law, {W, v_W, n_W, material.restitution, material.friction});
-  return answer(found, n_W, v_W, formula::plus(v_W, formula::product(W, found.p)));
+  const Vec3<T> v(v_W.x(), v_W.y(), v_W.z());  // a copy, for the same reason
+  const LawImpulse<T> found = other_impulse<T>(law, {W, v, n_W, material.restitution, material.friction});
+  return answer(found, n_W, v, formula::plus(v, formula::product(W, found.p)));
 }
 
 template <Ordered T>
-void require_contact(const Material<T>& material, const Vec3<T>& p_WC, const Vec3<T>& n_W) {
+inline void require_contact(const Material<T>& material, const Vec3<T>& p_WC, const Vec3<T>& n_W) {
   require_material(material);
-  require_point(p_WC, "contact point");
-  require_direction(n_W);
+  if (!(scalar::is_finite(T(p_WC.x() + p_WC.y() + p_WC.z())) && is_unit(n_W))) [[unlikely]] {
+    require_point(p_WC, "contact point");
+    require_direction(n_W);
+  }
 }
 
 }  // namespace detail
