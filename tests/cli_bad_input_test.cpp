@@ -131,7 +131,7 @@ TEST_F(CliError, Formats) {
 }
 
 TEST_F(CliError, Usage) {
-  expect_error({}, "a command is needed: table, inertia, spin or contact");
+  expect_error({}, "a command is needed: table, inertia, spin, contact or drop");
   expect_error({"bake"}, "The following argument was not expected: bake");
   expect_error({"--bake"}, "The following argument was not expected: --bake");
   expect_error({"table", "--bake"}, "The following argument was not expected: --bake");

@@ -12,6 +12,7 @@
 #include "verify/oracles/quadrature.hpp"
 #include "verify/report/report.hpp"
 #include "verify/run.hpp"
+#include "verify/stress/command.hpp"
 #include "verify/work_precision/command.hpp"
 
 namespace {
@@ -166,12 +167,17 @@ int main(int argc, char** argv) {
   Options options;
   bench::BenchOptions bench_options;
   define(app, options);
+  stress::Options stress_options;
   const CLI::App* const bench_command = bench::define_bench(app, bench_options);
+  const CLI::App* const stress_command = stress::define_stress(app, stress_options);
   try {
     app.parse(argc, argv);
     if (bench_command->parsed()) {
       bench::run_bench_command(bench_options);
       return all_hold;
+    }
+    if (stress_command->parsed()) {
+      return stress::run_stress_command(stress_options) ? all_hold : claim_failed;
     }
     return verify(options);
   } catch (const CLI::ParseError& error) {

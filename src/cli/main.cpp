@@ -8,15 +8,15 @@
 #include <exception>
 #include <goishi/motion/invariants.hpp>
 #include <goishi/motion/steppers.hpp>
-#include <goishi/shape/catalogue.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 
+#include "command.hpp"
 #include "contact.hpp"
+#include "drop_command.hpp"
 #include "file.hpp"
 #include "inertia.hpp"
-#include "quantity.hpp"
 #include "report.hpp"
 #include "spin.hpp"
 #include "table.hpp"
@@ -29,8 +29,9 @@ namespace {
 constexpr int bad_usage = 2;
 
 constexpr const char* about =
-    "Shape, mass, moments of inertia, free rotation and contacts of Go stones.\n"
-    "The program computes with 50 digits, so that every digit it prints is right.";
+    "Shape, mass, moments of inertia, free rotation, contacts and drops of Go stones.\n"
+    "The program computes with 50 digits, so that every digit it prints is right; drops,\n"
+    "which no closed form gives, in double.";
 
 constexpr const char* about_table =
     "The inertia of each stone size: 14 numbers, white and black,\n"
@@ -44,7 +45,8 @@ constexpr const char* examples =
     "  goishi table\n"
     "  goishi inertia --size 33 --bevel 1mm\n"
     "  goishi spin --size 33 --spin 0,5,60 --time 2.5\n"
-    "  goishi contact --size 33 --position 0,0,0.01";
+    "  goishi contact --size 33 --position 0,0,0.01\n"
+    "  goishi drop --size 33 --bevel 1mm --from 5cm --tilt 20";
 
 constexpr const char* table_examples = R"(
 Examples:
@@ -99,24 +101,6 @@ Examples:
 
 Exit status: 0 done, 1 a search did not converge (what it reached is printed), 2 bad usage
 or a failed write.)";
-
-std::string units_note() {
-  return fmt::format(
-      "A number may carry a unit: 22mm, \"2.2 cm\". Without one it is in the first of\n"
-      "  lengths    {}\n  densities  {}\n  masses     {}\n  times      {}\n",
-      length_units, density_units, mass_units, time_units);
-}
-
-std::string assumed_densities() {
-  return fmt::format("[default, assumed: {} white, {} black, in kg/m³]", catalogue::assumed_white_density,
-                     catalogue::assumed_black_density);
-}
-
-/// An option with a value, which is read as text.
-template <class Text>
-void add_value(CLI::App& command, Text& target, const char* name, const char* type, const std::string& help) {
-  command.add_option(name, target, help)->type_name(type);
-}
 
 void add_table(CLI::App& app, TableOptions& options) {
   CLI::App& table = *app.add_subcommand("table", about_table);
@@ -233,6 +217,7 @@ int run(int count, char** arguments) {
   InertiaOptions inertia;
   SpinOptions spin;
   ContactOptions contact;
+  DropOptions drop;
   CLI::App app(about, "goishi");
   app.set_version_flag("--version", version());
   app.require_subcommand(0, 1);
@@ -241,6 +226,7 @@ int run(int count, char** arguments) {
   add_inertia(app, inertia);
   add_spin(app, spin);
   add_contact(app, contact);
+  add_drop(app, drop);
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& error) {
@@ -261,8 +247,11 @@ int run(int count, char** arguments) {
   if (app.got_subcommand("contact")) {
     return run_contact(contact);
   }
+  if (app.got_subcommand("drop")) {
+    return run_drop(drop);
+  }
   if (!app.got_subcommand("inertia")) {
-    throw std::runtime_error("a command is needed: table, inertia, spin or contact");
+    throw std::runtime_error("a command is needed: table, inertia, spin, contact or drop");
   }
   run_inertia(inertia);
   return 0;

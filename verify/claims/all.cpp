@@ -34,7 +34,16 @@ std::vector<Claim> all_claims() {
       {"claims/published_contact.cpp", published_contact_claims},
       {"claims/impact.cpp", impact_claims},
       {"claims/impact_process.cpp", impact_process_claims},
-      {"claims/published_impact.cpp", published_impact_claims}};
+      {"claims/published_impact.cpp", published_impact_claims},
+      {"claims/published_drop.cpp", published_drop_claims},
+      {"claims/drop_bounces.cpp", drop_bounces_claims},
+      {"claims/drop_rocking.cpp", drop_rocking_claims},
+      {"claims/drop_rolling.cpp", drop_rolling_claims},
+      {"claims/drop_friction.cpp", drop_friction_claims},
+      {"claims/drop_spin.cpp", drop_spin_claims},
+      {"claims/drop_sliding.cpp", drop_sliding_claims},
+      {"claims/drop_odeint.cpp", drop_odeint_claims},
+      {"claims/drop_whole.cpp", drop_whole_claims}};
   for (const auto& [source, subject] : subjects) {
     std::vector<Claim> claims = subject();
     for (Claim& claim : claims) {

@@ -35,6 +35,15 @@ namespace goishi::verify {
 [[nodiscard]] std::vector<Claim> impact_claims();                 // IMPACT: restitution, momentum, energy, friction
 [[nodiscard]] std::vector<Claim> impact_process_claims();    // IMPACT: Stronge's law, and the default law beside it
 [[nodiscard]] std::vector<Claim> published_impact_claims();  // PUBLISHED: the talk's impacts
+[[nodiscard]] std::vector<Claim> published_drop_claims();    // PUBLISHED: the talk's loop on whole drops
+[[nodiscard]] std::vector<Claim> drop_odeint_claims();       // DROP: contact phases against Lagrange's equations
+[[nodiscard]] std::vector<Claim> drop_whole_claims();        // DROP: every link of a drop, its end, random drops
+[[nodiscard]] std::vector<Claim> drop_bounces_claims();      // DROP: flat and elastic bounces, oblique impacts
+[[nodiscard]] std::vector<Claim> drop_rocking_claims();      // DROP: periods, decay by resistance and by damping
+[[nodiscard]] std::vector<Claim> drop_rolling_claims();      // DROP: what rolling keeps, ball, coin, Euler's disc
+[[nodiscard]] std::vector<Claim> drop_friction_claims();     // DROP: Jellett's integral, Coulomb–Contensou friction
+[[nodiscard]] std::vector<Claim> drop_spin_claims();         // DROP: threshold and settling tilts of a flat spin
+[[nodiscard]] std::vector<Claim> drop_sliding_claims();      // DROP: sliding to a stop, slopes, waking
 
 [[nodiscard]] std::vector<Claim> all_claims();
 

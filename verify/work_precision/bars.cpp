@@ -129,6 +129,9 @@ std::vector<Bar> bars_of(const Bench& bench) {
     add_runge_kutta_bar(race, bars);
   }
   contact::add_bars(bench.contact_races, bench.contact_speed, bars);
+  if (bench.drops) {
+    drops::add_bars(*bench.drops, bars);
+  }
   return bars;
 }
 

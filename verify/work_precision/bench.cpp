@@ -59,9 +59,10 @@ std::vector<contact::Scene> scenes_of(const std::vector<const contact::Problem*>
 Bench run_bench(const Programme& programme, const Effort& effort, const Stamp& stamp,
                 const std::function<void(std::size_t, std::size_t)>& done) {
   const auto start = std::chrono::steady_clock::now();
-  Bench bench{.stamp = stamp, .races = {}, .speed = {}, .contact_races = {}, .contact_speed = {}};
-  const auto& [problems, contact_problems] = programme;
-  const std::size_t total = (problems.size() + contact_problems.size()) * static_cast<std::size_t>(effort.repeats);
+  Bench bench{.stamp = stamp, .races = {}, .speed = {}, .contact_races = {}, .contact_speed = {}, .drops = {}};
+  const auto& [problems, contact_problems, with_drops] = programme;
+  const std::size_t total = (problems.size() + contact_problems.size()) * static_cast<std::size_t>(effort.repeats) +
+                            (with_drops ? drops::rounds : 0);
   std::size_t finished = 0;
   const auto round_done = [&] { done(++finished, total); };
   done(finished, total);
@@ -75,6 +76,9 @@ Bench run_bench(const Programme& programme, const Effort& effort, const Stamp& s
   }
   bench.speed = measure_flight_speed(full_effort);
   bench.contact_speed = contact::measure_speed(full_effort);
+  if (with_drops) {
+    bench.drops = drops::measure(effort, round_done);
+  }
   bench.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return bench;
 }

@@ -1,8 +1,10 @@
 #pragma once
 /// \file
-/// The whole race: every contestant on every problem of motion and of contact, the speed of single calls, the bars.
+/// The whole race: every contestant on every problem of motion and of contact, the speed of single calls, whole drops,
+/// the bars.
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,7 @@
 #include "verify/work_precision/contact/race.hpp"
 #include "verify/work_precision/contact/speed.hpp"
 #include "verify/work_precision/curve.hpp"
+#include "verify/work_precision/drop/drops.hpp"
 #include "verify/work_precision/flight_speed.hpp"
 
 namespace goishi::verify::bench {
@@ -27,6 +30,7 @@ struct Bench {
   FlightSpeed speed;
   std::vector<contact::Race> contact_races;
   contact::Speed contact_speed;
+  std::optional<drops::Measured> drops;
   double seconds = 0;
 };
 
@@ -34,6 +38,7 @@ struct Bench {
 struct Programme {
   std::vector<const Problem*> motion;
   std::vector<const contact::Problem*> contact;
+  bool drops;
 };
 
 /// `done` is told how many rounds of measurements are over, of how many.

@@ -128,6 +128,11 @@ Section page_section(const Bench& bench) {
   for (const contact::Race& race : bench.contact_races) {
     section.parts.push_back(contact::page_part(race));
   }
+  if (bench.drops) {
+    for (Section& part : drops::page_parts(*bench.drops)) {
+      section.parts.push_back(std::move(part));
+    }
+  }
   return section;
 }
 

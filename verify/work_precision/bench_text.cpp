@@ -86,6 +86,9 @@ std::string text_report(const Bench& bench) {
     out += race_table(race);
   }
   out += contact::text_tables(bench.contact_races);
+  if (bench.drops) {
+    out += drops::text_tables(*bench.drops);
+  }
   out += bar_table(bars_of(bench));
   return out + fmt::format("\nTook {}\n", duration(bench.seconds));
 }

@@ -26,6 +26,7 @@ std::vector<std::string> known_names() {
   for (const contact::Problem& problem : contact::problems()) {
     names.push_back(problem.name);
   }
+  names.emplace_back(drops::name);
   return names;
 }
 
@@ -52,7 +53,9 @@ Programme chosen_programme(const std::vector<std::string>& names) {
     goishi::require(contains(known, name), "problem", name, "must be one of ",
                     fmt::format("{}", fmt::join(known, ", ")));
   }
-  return {.motion = chosen_of(problems(), names), .contact = chosen_of(contact::problems(), names)};
+  return {.motion = chosen_of(problems(), names),
+          .contact = chosen_of(contact::problems(), names),
+          .drops = names.empty() || contains(names, drops::name)};
 }
 
 void print_list() {
@@ -73,6 +76,7 @@ void print_list() {
   for (const contact::Contestant& contestant : contact::contestants()) {
     fmt::print("  {:22} {}\n", contestant.name, contestant.label);
   }
+  fmt::print("Drops\n  {:22} {}\n", drops::name, drops::title);
 }
 
 /// Bad usage is better said before the measurement than after.
@@ -91,7 +95,7 @@ CLI::App* define_bench(CLI::App& app, BenchOptions& options) {
   CLI::App* bench = app.add_subcommand(
       "bench",
       "Measures run time against error: every stepper and the exact flight, beside Odeint's steppers; every contact "
-      "query, beside libccd and FCL.");
+      "query, beside libccd and FCL; whole drops, beside the talk's loop.");
   bench->option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   bench->add_flag("--list", options.list, "list problems and contestants, and measure nothing");
   bench->add_option("--problem", options.problems, "only these problems, separated by commas")

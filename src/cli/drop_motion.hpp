@@ -1,0 +1,41 @@
+#pragma once
+/// \file
+/// The drop that `goishi drop` prints, and what it is at any time between its events.
+
+#include <goishi/drop/events.hpp>
+#include <vector>
+
+#include "drop_scene.hpp"
+
+namespace goishi::cli {
+
+/// What is printed of a state.
+struct DropSample {
+  double time = 0;  // [s]
+  State<double> state;
+  Vec3<double> w_WB_B;  // [rad/s]
+  double tilt = 0;      // [°] of the symmetry axis from the vertical, 0 … 180: a stone turned over lies at 180
+  double energy = 0;    // [J] zero at the height of the surface
+};
+
+[[nodiscard]] DropSample sample_of(const DropScene& scene, double time, const State<double>& state);
+
+[[nodiscard]] Drop<double> drop_of(const DropScene& scene);
+
+/// What an event's contact is with.
+enum class Touched { nothing, board, plane, floor };
+
+[[nodiscard]] std::string_view to_string(Touched touched);
+
+[[nodiscard]] Touched touched_at(const DropScene& scene, const Event<double>& event);
+
+[[nodiscard]] Touched touched_last(const DropScene& scene, const Drop<double>& drop);
+
+/// `rows` times, equally spaced from the start to the end, at which the state is the final one.
+///
+/// In flight a row is exact, from the event before; bounces that the drop sums are followed one by one, in closed form.
+/// In the contact phase the drop goes on from row to row, from the event before; where that does not lead to the next
+/// event, as on an edge, each row is a drop of its own, from the start, with that time as its horizon.
+[[nodiscard]] std::vector<DropSample> series_of(const DropScene& scene, const Drop<double>& drop, int rows);
+
+}  // namespace goishi::cli

@@ -1,0 +1,41 @@
+#pragma once
+/// \file
+/// What `goishi drop` drops, and onto what: in double, as the library computes it.
+
+#include <goishi/board/board.hpp>
+#include <goishi/drop/settings.hpp>
+#include <goishi/motion/state.hpp>
+#include <goishi/shape/stone.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "drop.hpp"
+
+namespace goishi::cli {
+
+struct DropScene {
+  std::string title;  // "The white stone of size 33, sharp"
+  bool density_assumed = false;
+  Stone<double> stone;
+  RigidBody<double> body;
+  std::optional<Board<double>> board;  // none: the plane z = 0
+  State<double> start;
+  DropSettings<double> settings;
+  std::string until;  // what the drop is followed to, for people
+};
+
+/// A given number other than 0 has a magnitude from 1e-20 to 1e20 in SI units: no product of them that a drop needs
+/// leaves the range of a double.
+inline constexpr double largest_magnitude = 1e20;
+
+/// The time that a drop to rest is followed, at most   [s].
+inline constexpr double longest_drop = 60;
+
+/// The law as it is typed.
+[[nodiscard]] std::string name_of(ImpactLaw law);
+
+/// InvalidArgument for whatever was typed wrong.
+[[nodiscard]] DropScene scene_of(const DropOptions& options);
+
+}  // namespace goishi::cli

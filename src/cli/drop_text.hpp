@@ -1,0 +1,24 @@
+#pragma once
+/// \file
+/// A drop as `goishi drop` prints it.
+
+#include <goishi/drop/events.hpp>
+#include <string>
+#include <vector>
+
+#include "drop_motion.hpp"
+
+namespace goishi::cli {
+
+/// For people: the stone and the settings, a line for each event, the end and what it cost.
+[[nodiscard]] std::string to_block(const DropScene& scene, const Drop<double>& drop);
+
+/// For programs: 17 digits, SI units.
+[[nodiscard]] std::string to_json(const DropScene& scene, const Drop<double>& drop);
+
+[[nodiscard]] std::string to_csv(const std::vector<DropSample>& samples);
+
+/// "gave up after 12 s: too many events"; for what is no end of its own.
+[[nodiscard]] std::string end_of(const DropScene& scene, const Drop<double>& drop);
+
+}  // namespace goishi::cli

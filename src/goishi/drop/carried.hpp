@@ -1,0 +1,31 @@
+#pragma once
+/// \file
+/// An attitude from a symmetry axis: the contact phase integrates the axis, and beside it one angle.
+
+#include <goishi/rotation.hpp>
+#include <goishi/scalar.hpp>
+#include <goishi/vector.hpp>
+
+namespace goishi::formula {
+
+/// The shortest rotation that takes the unit vector a to the unit vector b.
+/// Domain  a ≠ −b.   Proof  derivations/contact_motion.cpp.
+template <Elementary T>
+[[nodiscard]] Quat<T> shortest_rotation(const Vec3<T>& a, const Vec3<T>& b) {
+  const Vec3<T> axis = formula::cross(a, b);
+  const T w = T(1) + formula::dot(a, b);
+  const T size = scalar::sqrt(T(scalar::sq(w) + formula::dot(axis, axis)));
+  return Quat<T>(T(w / size), T(axis.x() / size), T(axis.y() / size), T(axis.z() / size));
+}
+
+/// Rate of the angle ψ by which a body has turned about its axis u, beyond the shortest rotation from a to u   [1/s]:
+///
+///     q = shortest(a, u) q_a spin(ψ),   ψ̇ = ω · u + a · (u × u̇) / (1 + a · u)
+///
+/// Domain  a ≠ −u.   Proof  derivations/contact_motion.cpp.
+template <Field T>
+[[nodiscard]] T carried_spin_rate(const Vec3<T>& a, const Vec3<T>& u, const Vec3<T>& u_rate, const T& spin_rate) {
+  return spin_rate + formula::dot(a, formula::cross(u, u_rate)) / (T(1) + formula::dot(a, u));
+}
+
+}  // namespace goishi::formula

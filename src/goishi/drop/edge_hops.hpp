@@ -1,0 +1,172 @@
+#pragma once
+/// \file
+/// Contacts that last on an edge, on a side, or at two places: a scheme of lower order. Such a contact is a series of
+/// elastic micro-impacts, with friction and resistance taken from their impulses; the result says that it was used.
+
+#include <goishi/contact/contact.hpp>
+#include <goishi/drop/run.hpp>
+#include <goishi/impact/laws.hpp>
+#include <limits>
+
+namespace goishi::detail {
+
+/// The run's body as an impact sees it.
+template <Ordered T>
+[[nodiscard]] ImpactBody<T> impact_body(const Run<T>& run) {
+  return {run.mobility, run.state.p_WB, formula::symmetry_axis(run.state.q_WB), run.state.v_WB, run.state.L_W};
+}
+
+/// What a run notes of a contact.
+template <Ordered T>
+void note_contact(Event<T>& event, const Separation<T>& contact) {
+  event.contact_W = contact.p_stone;
+  event.normal_W = contact.n_W;
+  event.feature = contact.feature;
+  event.other_feature = contact.other_feature;
+}
+
+template <Ordered T>
+class EdgeHops {
+ public:
+  explicit EdgeHops(Run<T>& run) : run_(run) {}
+
+  enum class End { none, rests, too_many };
+
+  [[nodiscard]] bool is_floor(const Separation<T>& contact) const {
+    return run_.board != nullptr && contact.other_feature == OtherFeature::surface &&
+           contact.p_other.z() < -(run_.board->thickness / T(2));
+  }
+
+  /// The side was touched just now: what lasts on the floor is then a second contact.
+  void touch_side() { last_side_ = run_.time; }
+
+  /// Whether the contact point is at the surface's edge, or the stone, touching the floor, has just touched the side.
+  [[nodiscard]] bool is_beside(const Separation<T>& contact) const {
+    if (run_.board == nullptr) {
+      return false;
+    }
+    if (is_floor(contact)) {
+      return run_.time - last_side_ < T(5e-3);  // [s] longer than a hop takes
+    }
+    const auto magnitude = [](const T& x) { return x < T(0) ? T(-x) : x; };
+    const Board<T>& board = *run_.board;
+    const T margin = T(1e-6) * run_.reach;  // the contact phase ends at the edge: not to enter it again there
+    return !(magnitude(contact.p_other.x()) < board.half_width - margin &&
+             magnitude(contact.p_other.y()) < board.half_length - margin);
+  }
+
+  /// A micro-impact: elastic, so that it takes no energy. One that is too slow to go on from is made as fast as a third
+  /// of `edge_speed`, with energy from the rest of the motion if there is enough.
+  [[nodiscard]] End hop(const Separation<T>& contact, const T& approach) {
+    run_.result.lower_order = true;
+    const T energy = run_.energy();
+    least_energy_ = energy < least_energy_ ? energy : least_energy_;
+    ++run_.result.counters.edge_impacts;
+    const ImpactBody<T> body = impact_body(run_);
+    const Impact<T> impact = resolve(ImpactLaw::chatterjee_ruina, Material<T>{T(1), run_.settings.friction},
+                                     contact.p_stone, contact.n_W, body);
+    const State<T> before = run_.state;
+    run_.state.v_WB = impact.body.v_WB;
+    run_.state.L_W = impact.body.L_W;
+    resist(impact.impulse.normal);
+    const T lacking = run_.settings.edge_speed / T(3) - (approach < T(0) ? T(-approach) : approach);
+    if (T(0) < lacking) {
+      lift(contact, lacking);
+    }
+    keep_energy();
+    if (contact.other_feature != OtherFeature::surface) {
+      last_side_ = run_.time;
+    }
+    if (T(0.05) < run_.time - last_hop_) {
+      Event<T>& event = run_.record(EventKind::contact, before);
+      event.impulse_W = impact.impulse.impulse_W;
+      note_contact(event, contact);
+      event.outcome = impact.impulse.outcome;
+    }
+    last_hop_ = run_.time;
+    return rests_leaning();
+  }
+
+ private:
+  /// Rolling resistance and pivot friction over the time that a normal impulse stands for; they do not reverse the
+  /// turning.
+  void resist(const T& normal) {
+    if (!run_.contact_body.resists) {
+      return;
+    }
+    const Vec3<T> u = formula::symmetry_axis(run_.state.q_WB);
+    const Vec3<T> w = formula::turning(run_.mobility, u, run_.state.L_W);
+    const Vec3<T> change = normal * resistance_torque(run_.contact_body, w);
+    const Vec3<T> w_change = formula::turning(run_.mobility, u, change);
+    // The energy of rotation is least at the share −change · ω / change · Δω.
+    const T power = -formula::dot(change, w), most = formula::dot(change, w_change);
+    run_.state.L_W = run_.state.L_W + (power < most ? T(power / most) : T(1)) * change;
+  }
+
+  [[nodiscard]] T kinetic_energy_now() const {
+    return formula::rotational_energy(run_.state, run_.body) + formula::translational_energy(run_.state, run_.body);
+  }
+
+  /// Makes the contact point leave faster by `lacking`, without a change of the energy where that can be.
+  void lift(const Separation<T>& contact, const T& lacking) {
+    const T energy = kinetic_energy_now();
+    const ImpactBody<T> body = impact_body(run_);
+    const Vec3<T> r = contact.p_stone - body.p_WB;
+    const ContactMatrix<T> W = formula::contact_matrix(run_.mobility, body.u_W, r);
+    const Vec3<T>& n = contact.n_W;
+    const BodyVelocity<T> lifted =
+        formula::pushed(body, r, Vec3<T>(lacking / formula::dot(n, formula::product(W, n)) * n));
+    run_.state.v_WB = lifted.v_WB;
+    run_.state.L_W = lifted.L_W;
+    const T more = kinetic_energy_now();
+    if (energy < more && more < T(2) * energy) {
+      const T scale = scalar::sqrt(T(energy / more));
+      run_.state.v_WB = scale * run_.state.v_WB;
+      run_.state.L_W = scale * run_.state.L_W;
+    }
+  }
+
+  /// However many hops are lifted: never more than one hop's energy above the least that there was.
+  void keep_energy() {
+    const T excess = run_.energy() - least_energy_ - run_.body.mass * scalar::sq(run_.settings.edge_speed) / T(2);
+    const T kinetic = kinetic_energy_now();
+    if (T(0) < excess && T(0) < kinetic) {
+      const T scale = excess < kinetic ? T(scalar::sqrt(T(T(1) - excess / kinetic))) : T(0);
+      run_.state.v_WB = scale * run_.state.v_WB;
+      run_.state.L_W = scale * run_.state.L_W;
+    }
+  }
+
+  /// Whether, for a while, the stone has moved less than its hops would.
+  [[nodiscard]] End rests_leaning() {
+    const T window = T(0.1);  // [s] some 500 hops
+    if (run_.settings.maximum_steps <= run_.result.counters.edge_impacts) {
+      return End::too_many;
+    }
+    if (run_.time - mark_time_ < window) {
+      return End::none;
+    }
+    const Vec3<T> u = formula::symmetry_axis(run_.state.q_WB);
+    const T speed2 = scalar::sq(run_.settings.edge_speed);
+    const bool slow = formula::dot(run_.state.v_WB, run_.state.v_WB) < T(4) * speed2;
+    // The hops themselves let a stone creep that would stand.
+    const T creep = run_.settings.edge_speed * window / T(3);
+    const bool still = (run_.state.p_WB - mark_p_).norm() < creep && (u - mark_u_).norm() * run_.reach < creep;
+    mark_time_ = run_.time;
+    mark_p_ = run_.state.p_WB;
+    mark_u_ = u;
+    if (slow && still) {
+      run_.state.v_WB = run_.state.L_W = Vec3<T>::Zero();
+      return End::rests;
+    }
+    return End::none;
+  }
+
+  Run<T>& run_;
+  T least_energy_ = std::numeric_limits<T>::infinity();  // [J] at any hop
+  T last_hop_ = T(-1), last_side_ = T(-1);               // [s]
+  T mark_time_ = T(-1);                                  // what `rests_leaning` compares with
+  Vec3<T> mark_p_ = Vec3<T>::Zero(), mark_u_ = Vec3<T>::Zero();
+};
+
+}  // namespace goishi::detail

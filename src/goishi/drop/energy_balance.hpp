@@ -1,0 +1,69 @@
+#pragma once
+/// \file
+/// Energy as a witness of the contact phase's steps, and as what they are taken back to.
+
+#include <goishi/drop/contact_state.hpp>
+
+namespace goishi::detail {
+
+/// Energy and losses of the contact phase add up to what there was at its beginning. The integration knows both, so a
+/// step's defect is an error that is seen; and what the steps leave of it is taken out of the velocities.
+template <Ordered T>
+class EnergyBalance {
+ public:
+  /// From the present variables, which `equations` saw last.
+  template <class Equations>
+  EnergyBalance(ContactState<T>& contact, const Equations& equations, const T& tolerance)
+      : contact_(contact), tolerance_(tolerance), energy_(energy_of(equations, contact.y).total) {}
+
+  /// What a step to y, which `equations` saw last, adds to the balance: 1 is the tolerance of speed².
+  template <class Equations>
+  [[nodiscard]] T defect(const Equations& equations, const Variables<T>& y) const {
+    const T change = energy_of(equations, y).total + y[at::loss] - energy_ - excess_;
+    return (change < T(0) ? T(-change) : change) / (tolerance_ * scalar::sq(contact_.scales.speed));
+  }
+
+  /// Takes the velocities back to what energy and losses allow, all by one factor, and by no more than a step's error.
+  /// What is left waits for the next steps: near a turning point, where the stone all but stands still.
+  template <class Equations>
+  void restore(const Equations& equations) {
+    Variables<T>& y = contact_.y;
+    const Energy now = energy_of(equations, y);
+    const T excess = now.total + y[at::loss] - energy_;
+    const T step_error = T(2) * tolerance_ * contact_.scales.speed * scalar::sqrt(now.kinetic);
+    const T most = step_error < T(0.01) * now.kinetic ? step_error : T(T(0.01) * now.kinetic);
+    const T taken = excess < -most ? T(-most) : most < excess ? most : excess;
+    excess_ = excess - taken;
+    if (!(T(0) < now.kinetic)) {
+      return;
+    }
+    const T factor = scalar::sqrt(T(T(1) - taken / now.kinetic));
+    for (std::size_t i = at::L; i < at::L + 3; ++i) {
+      y[i] = factor * y[i];
+    }
+    y[at::slip] = factor * y[at::slip];
+    if constexpr (Equations::slip_is_vector) {
+      y[at::direction] = factor * y[at::direction];
+    }
+  }
+
+ private:
+  struct Energy {
+    T kinetic, total;
+  };
+
+  /// Per unit of mass, at variables that `equations` saw last   [m²/s²].
+  template <class Equations>
+  [[nodiscard]] Energy energy_of(const Equations& equations, const Variables<T>& y) const {
+    const Vec3<T>& g = contact_.body.gravity;
+    const T kinetic = formula::contact_kinetic_energy(equations.now, equations.slip_x(y), equations.slip_y(y));
+    return {kinetic, T(kinetic - (g.x() * y[at::x] + g.y() * y[at::y] + g.z() * equations.now.height))};
+  }
+
+  ContactState<T>& contact_;
+  const T& tolerance_;
+  T energy_;
+  T excess_ = T(0);  // [m²/s²] that `restore` left
+};
+
+}  // namespace goishi::detail

@@ -1,0 +1,100 @@
+#pragma once
+/// \file
+/// What a drop answers: its events, its end, and what it cost.
+
+#include <goishi/contact/contact.hpp>
+#include <goishi/impact/material.hpp>
+#include <goishi/motion/state.hpp>
+#include <string_view>
+#include <vector>
+
+namespace goishi {
+
+enum class EventKind {
+  start,
+  impact,         // an impulse, and the flight goes on
+  bounces_close,  // infinitely many bounces of a flat drop, summed: the time is when they end
+  contact,        // the contact stays from here on
+  stick,          // slip ends: the stone rolls
+  slip,           // the stone begins to slip
+  feature,        // the contact point passes between cap and bevel
+  jam,            // no acceleration satisfies dry friction (Painlevé): an impulse stops the slip
+  lift_off,       // the normal force would pull
+  board_edge,     // the contact point leaves the playing surface
+  side,           // the stone comes near the board's side while it touches the floor
+  rest,
+  woken,  // set moving by a change of gravity
+  end     // of the run, moving
+};
+
+[[nodiscard]] constexpr std::string_view to_string(EventKind kind) {
+  constexpr std::string_view names[] = {"start", "impact",   "bounces close", "contact", "stick", "slip",  "feature",
+                                        "jam",   "lift-off", "board edge",    "side",    "rest",  "woken", "end"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+/// What is touched, or was last. `board` also stands for the plane of a scene without a board.
+enum class Ground { none, board, floor };
+
+[[nodiscard]] constexpr std::string_view to_string(Ground ground) {
+  constexpr std::string_view names[] = {"none", "board", "floor"};
+  return names[static_cast<std::size_t>(ground)];
+}
+
+template <class T>
+struct Event {
+  EventKind kind = EventKind::start;
+  T time = scalar::unset<T>();  // [s]
+  State<T> before;
+  State<T> after;
+  T energy = scalar::unset<T>();        // [J] after, in the drop's gravity, potential zero at the origin of W
+  Vec3<T> impulse_W = Vec3<T>::Zero();  // [N s] on the stone
+  Vec3<T> contact_W = Vec3<T>::Constant(scalar::unset<T>());  // [m] contact point, where there is one
+  Vec3<T> normal_W = Vec3<T>::Constant(scalar::unset<T>());   // unit, out of what is touched
+  Feature feature = Feature::rim;                             // of the stone
+  OtherFeature other_feature = OtherFeature::surface;         // of what is touched
+  ImpactOutcome outcome = ImpactOutcome::separating;          // of the impulse
+};
+
+enum class DropStatus {
+  rest,
+  rest_leaning,  // at rest on two contacts or an edge, by the scheme of lower order
+  moving,        // the horizon, or `maximum_impacts`, was reached first
+  flies_on,      // nothing is ever touched again
+  start_inside,  // the stone overlaps what it is dropped on: `depth`
+  too_many_events,
+  too_many_steps,
+  not_converged
+};
+
+[[nodiscard]] constexpr std::string_view to_string(DropStatus status) {
+  constexpr std::string_view names[] = {"rest",         "rest, leaning",   "moving",         "flies on",
+                                        "start inside", "too many events", "too many steps", "not converged"};
+  return names[static_cast<std::size_t>(status)];
+}
+
+/// What was computed, so that it can be seen what was not.
+struct DropCounters {
+  int impacts = 0;
+  int root_steps = 0;           // of the searches for an impact
+  int separations = 0;          // normals those searches needed
+  int contact_evaluations = 0;  // of the equations of the contact phase
+  int steps_accepted = 0;
+  int steps_rejected = 0;  // by the error control
+  int steps_located = 0;   // taken again to end at an event
+  int edge_impacts = 0;    // micro-impacts of the scheme of lower order
+};
+
+template <class T>
+struct Drop {
+  DropStatus status = DropStatus::not_converged;
+  Ground ground = Ground::none;  // touched last
+  State<T> state;                // at the end
+  T time = T(0);                 // [s]
+  T depth = T(0);                // [m] of `start_inside`
+  bool lower_order = false;      // a contact on an edge, a side or at two places was passed by micro-impacts
+  std::vector<Event<T>> events;
+  DropCounters counters;
+};
+
+}  // namespace goishi

@@ -1,0 +1,182 @@
+#pragma once
+/// \file
+/// Contact under the laws of friction that are smooth in the slip.
+
+#include <array>
+#include <goishi/drop/dormand_prince.hpp>
+#include <goishi/drop/kinetics.hpp>
+#include <goishi/drop/rolling.hpp>
+
+namespace goishi::detail {
+
+/// Friction as a smooth function of the slip: slip-proportional, Coulomb–Contensou, or none. The slip is (s_x, s_y).
+template <Ordered T>
+class Gliding {
+ public:
+  static constexpr std::size_t used = 12;
+  static constexpr bool slip_is_vector = true;
+
+  Gliding(const ContactBody<T>& body, Feature feature, const Vec3<T>& origin)
+      : body_(body), feature_(feature), origin_(origin), stiffness_(stiffness_of(body)) {}
+
+  /// Of the pair that the last step was taken with.
+  [[nodiscard]] int order() const { return order_; }
+
+  [[nodiscard]] Variables<T> operator()(const Variables<T>& y) {
+    evaluate(y);
+    return all_rates(y, slip_rate_at(y[at::slip], y[at::direction]));
+  }
+
+  /// Dormand–Prince where the slip is not stiff, else the additive pair.
+  [[nodiscard]] Trial<T, variables> step(const Variables<T>& y, const Variables<T>& rate, const T& h, bool& possible) {
+    jams_ = false;
+    Trial<T, variables> trial;
+    evaluate(y);
+    if (h * friction_per_slip(y[at::slip], y[at::direction]) * stiffness_ < T(1)) {
+      order_ = 5;
+      trial = dormand_prince(y, rate, h, *this);
+    } else {
+      order_ = 4;
+      trial = additive_runge_kutta<T, variables>(y, rate, h, at::slip, possible,
+                                                 [&](Variables<T>& stage, const T& reach, Variables<T>& k) {
+                                                   evaluate(stage);
+                                                   return solve(stage, reach, k);
+                                                 });
+      if (!possible) {
+        return {};
+      }
+      trial.rate = (*this)(trial.y);
+    }
+    possible = !jams_;
+    return trial;
+  }
+
+  [[nodiscard]] Guards<T> guards() const {
+    return {{feature_guard(body_.stone, feature_, now.u), T(now.need.z() / body_.strength), T(1), T(1), room_, T(1)}};
+  }
+
+  /// Whether the last step met Painlevé's case.
+  [[nodiscard]] bool jams() const { return jams_; }
+
+  [[nodiscard]] static T weight_of_direction(const Variables<T>&, const T& speed, const T&) { return T(1) / speed; }
+  [[nodiscard]] T slip_x(const Variables<T>& y) const { return y[at::slip]; }
+  [[nodiscard]] T slip_y(const Variables<T>& y) const { return y[at::direction]; }
+
+  static constexpr std::array<Guard, guard_count> names = {Guard::feature, Guard::lift_off, Guard::none,
+                                                           Guard::none,    Guard::jam,      Guard::support};
+
+  /// The least of the denominator that still counts as solvable.
+  [[nodiscard]] static T jam_margin(const T& W_zz) { return T(1e-6) * W_zz; }
+
+  void carry_from(const Vec3<T>& origin) { origin_ = origin; }
+
+  Kinetics<T> now;
+  Vec3<T> force;
+  int evaluations = 0;
+
+ private:
+  void evaluate(const Variables<T>& y) {
+    ++evaluations;
+    now = kinetics(body_, feature_, y);
+  }
+
+  [[nodiscard]] GlideRate<T> slip_rate_at(const T& s_x, const T& s_y) {
+    ratio_ = friction_per_slip(s_x, s_y);
+    GlideRate<T> slip = formula::glide_rate(now.W, now.brake, now.need, ratio_, s_x, s_y);
+    slip.x = slip.x - body_.damping * s_x;
+    slip.y = slip.y - body_.damping * s_y;
+    return slip;
+  }
+
+  [[nodiscard]] Variables<T> all_rates(const Variables<T>& y, const GlideRate<T>& slip) {
+    const T &s_x = y[at::slip], &s_y = y[at::direction];
+    room_ = slip.denominator - jam_margin(now.W.zz);
+    jams_ = jams_ || !(T(0) < room_);
+    force = {T(-(slip.N * ratio_ * s_x)), T(-(slip.N * ratio_ * s_y)), slip.N};
+    Variables<T> rate = rates(body_, now, force, s_x, s_y, origin_);
+    rate[at::slip] = slip.x;
+    rate[at::direction] = slip.y;
+    return rate;
+  }
+
+  /// The slip of an implicit stage, s = s' + reach ṡ(s), by Newton. False where that does not converge.
+  [[nodiscard]] bool solve(Variables<T>& stage, const T& reach, Variables<T>& k) {
+    const T from_x = stage[at::slip], from_y = stage[at::direction];
+    T &s_x = stage[at::slip], &s_y = stage[at::direction];
+    s_x = from_x + reach * k[at::slip];
+    s_y = from_y + reach * k[at::direction];
+    const T least = scalar::sq(T(from_x)) + scalar::sq(T(from_y)) + body_.creep_square;
+    constexpr int most_steps = 12;
+    for (int i = 0; i < most_steps; ++i) {
+      const GlideRate<T> rate = slip_rate_at(s_x, s_y);
+      if (!(T(0) < rate.denominator)) {
+        return false;
+      }
+      const SlipSlope slope = slip_slope(rate, s_x, s_y);
+      const T xx = T(1) - reach * slope.xx, xy = -(reach * slope.xy), yx = -(reach * slope.yx);
+      const T yy = T(1) - reach * slope.yy;
+      const T r_x = from_x + reach * rate.x - s_x, r_y = from_y + reach * rate.y - s_y;
+      const T over = T(1) / (xx * yy - xy * yx);
+      const T d_x = over * (yy * r_x - xy * r_y), d_y = over * (xx * r_y - yx * r_x);
+      s_x = s_x + d_x;
+      s_y = s_y + d_y;
+      const T moved = scalar::sq(d_x) + scalar::sq(d_y);
+      if (!(moved < T(1e20) * least)) {
+        return false;
+      }
+      // Newton squares the error: what a change of 1e-8 leaves is round-off.
+      if (moved < T(1e-16) * least) {
+        k = all_rates(stage, slip_rate_at(s_x, s_y));
+        k[at::slip] = (s_x - from_x) / reach;
+        k[at::direction] = (s_y - from_y) / reach;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// d ṡ/d s.
+  struct SlipSlope {
+    T xx, xy, yx, yy;
+  };
+
+  [[nodiscard]] SlipSlope slip_slope(const GlideRate<T>& rate, const T& s_x, const T& s_y) const {
+    const ContactMatrix<T>& W = now.W;
+    // Of the friction per normal force g = k s: k (1 − s sᵀ/root²), or k alone where k is a constant.
+    const T share = body_.model == FrictionModel::slip_proportional || !(T(0) < ratio_)
+                        ? T(0)
+                        : T(scalar::sq(T(ratio_ / body_.friction)));
+    const T g_xx = ratio_ * (T(1) - share * s_x * s_x), g_xy = -(ratio_ * share * s_x * s_y);
+    const T g_yy = ratio_ * (T(1) - share * s_y * s_y);
+    const T over = rate.N / rate.denominator;
+    const T p_x = W.xz + now.brake.x() - ratio_ * (W.xx * s_x + W.xy * s_y);
+    const T p_y = W.yz + now.brake.y() - ratio_ * (W.xy * s_x + W.yy * s_y);
+    const auto by = [&](const T& g_x, const T& g_y, const T& p, const T& w_x, const T& w_y) {
+      return T(over * (W.xz * g_x + W.yz * g_y) * p - rate.N * (w_x * g_x + w_y * g_y));
+    };
+    return {T(by(g_xx, g_xy, p_x, W.xx, W.xy) - body_.damping), by(g_xy, g_yy, p_x, W.xx, W.xy),
+            by(g_xx, g_xy, p_y, W.xy, W.yy), T(by(g_xy, g_yy, p_y, W.xy, W.yy) - body_.damping)};
+  }
+
+  [[nodiscard]] T friction_per_slip(const T& s_x, const T& s_y) const {
+    if (body_.model == FrictionModel::slip_proportional) {
+      return body_.slip_coefficient;
+    }
+    if (!(T(0) < body_.friction)) {
+      return T(0);
+    }
+    return formula::patch_friction(body_.friction, body_.contensou, T(now.w.z()), T(scalar::sq(s_x) + scalar::sq(s_y)),
+                                   body_.creep_square);
+  }
+
+  const ContactBody<T>& body_;
+  Feature feature_;
+  Vec3<T> origin_;
+  T ratio_ = T(0);  // friction per normal force and slip
+  T stiffness_;     // rate of the slip per that   [m/s²]
+  int order_ = 5;
+  T room_ = T(1);  // of the normal force's denominator
+  bool jams_ = false;
+};
+
+}  // namespace goishi::detail

@@ -1,0 +1,103 @@
+#pragma once
+/// \file
+/// What the equations of a contact are made of: the stone, per unit of mass, and its motion at the integrator's variables.
+
+#include <array>
+#include <cstddef>
+#include <goishi/drop/carried.hpp>
+#include <goishi/drop/contact_motion.hpp>
+#include <goishi/drop/settings.hpp>
+#include <goishi/drop/slip.hpp>
+#include <goishi/shape/surface.hpp>
+
+namespace goishi::detail {
+
+/// What of the stone, its mass and the settings the contact phase needs, once per drop. Everything per unit of mass.
+template <class T>
+struct ContactBody {
+  Stone<T> stone;
+  Mobility<T> mobility;  // of mass 1
+  Vec3<T> gravity;
+  T strength;  // |gravity|, or 1 where there is none: what forces are measured by
+  T friction, rolling_resistance, pivot_radius, damping;
+  T slip_coefficient;  // slip_proportional
+  T contensou;         // 8 a_c/3π
+  T creep_square;      // of the creep speed
+  FrictionModel model;
+  bool resists;  // rolling resistance or pivot friction
+};
+
+/// The variables of the contact phase. The height is the support function's; in rolling the slip is zero. The slip is
+/// (σ, φ), size and direction, under dry friction, and (s_x, s_y) under the smooth laws. `loss` is the energy that
+/// friction, resistance and damping have taken.
+inline constexpr std::size_t variables = 12;
+template <class T>
+using Variables = std::array<T, variables>;
+namespace at {
+inline constexpr std::size_t u = 0, L = 3, x = 6, y = 7, spin = 8, loss = 9, slip = 10, direction = 11;
+}
+
+/// The motion, and the resistance against it.
+template <class T>
+struct Kinetics : ContactMotion<T> {
+  Vec3<T> torque;  // of resistance, per normal force
+  Vec3<T> brake;   // J τ × r: what that does to the contact point
+};
+
+/// Torque of resistance, per normal force   [m].
+template <Ordered T>
+[[nodiscard]] Vec3<T> resistance_torque(const ContactBody<T>& body, const Vec3<T>& w) {
+  const T d2 = scalar::sq(body.rolling_resistance), k2 = scalar::sq(body.pivot_radius);
+  return formula::resistance(d2, k2, w, T((d2 + k2) * T(1e-24)));  // (1e-12 rad/s)²: no direction below
+}
+
+template <Ordered T>
+[[nodiscard]] Kinetics<T> kinetics(const ContactBody<T>& body, Feature feature, const Variables<T>& y) {
+  // The rates see the axis' direction only, so that its length, which the integration lets drift, is nobody's.
+  const T size = scalar::sqrt(T(scalar::sq(y[at::u]) + scalar::sq(y[at::u + 1]) + scalar::sq(y[at::u + 2])));
+  const Vec3<T> u(T(y[at::u] / size), T(y[at::u + 1] / size), T(y[at::u + 2] / size));
+  const Vec3<T> L(y[at::L], y[at::L + 1], y[at::L + 2]);
+  const T radial_square = scalar::sq(u.x()) + scalar::sq(u.y());
+  const ContactGeometry<T> geometry =
+      feature == Feature::rim
+          ? formula::rim_contact(body.stone, T(u.z()), scalar::sqrt(radial_square))
+          : formula::cap_contact(body.stone, feature == Feature::lower_cap ? T(1) : T(-1), T(u.z()), radial_square);
+  Kinetics<T> k{formula::contact_motion(body.mobility, body.gravity, geometry, u, L), Vec3<T>::Zero(), Vec3<T>::Zero()};
+  if (body.resists) {
+    k.torque = resistance_torque(body, k.w);
+    k.brake = formula::cross(formula::turning(body.mobility, u, k.torque), k.r);
+  }
+  return k;
+}
+
+/// How strongly friction acts on the slip, at most: about N W, per friction per normal force   [m/s²].
+template <Ordered T>
+[[nodiscard]] T stiffness_of(const ContactBody<T>& body) {
+  const T most = body.mobility.transverse + (T(0) < body.mobility.axial ? body.mobility.axial : T(0));
+  return body.strength * (T(1) + scalar::sq(T(body.stone.width)) / T(4) * most);
+}
+
+/// The rates of the variables but the slip's, under a force F on the contact point that slips with (s_x, s_y). `origin`
+/// is the axis from which the attitude is carried.
+template <Ordered T>
+[[nodiscard]] Variables<T> rates(const ContactBody<T>& body, const Kinetics<T>& k, const Vec3<T>& F, const T& s_x,
+                                 const T& s_y, const Vec3<T>& origin) {
+  const Vec3<T> moment = formula::cross(k.r, F);
+  const T N = F.z();
+  const T lost = -(F.x() * s_x + F.y() * s_y + N * formula::dot(k.torque, k.w)) +
+                 (T(0) < body.damping ? T(T(2) * body.damping * formula::contact_kinetic_energy(k, s_x, s_y)) : T(0));
+  return {k.u_rate.x(),
+          k.u_rate.y(),
+          k.u_rate.z(),
+          T(moment.x() + N * k.torque.x() - body.damping * k.L.x()),
+          T(moment.y() + N * k.torque.y() - body.damping * k.L.y()),
+          T(moment.z() + N * k.torque.z() - body.damping * k.L.z()),
+          T(s_x - k.point.x()),
+          T(s_y - k.point.y()),
+          formula::carried_spin_rate(origin, k.u, k.u_rate, k.spin_rate),
+          lost,
+          T(0),
+          T(0)};
+}
+
+}  // namespace goishi::detail

@@ -1,0 +1,99 @@
+#pragma once
+/// \file
+/// Where a flight ends: the plane, the board or the floor, asked only what the flight can reach.
+
+#include <goishi/contact/time_of_impact.hpp>
+#include <goishi/drop/run.hpp>
+#include <limits>
+
+namespace goishi {
+
+/// How a body with a symmetry axis flies from a state: what `time_of_impact` asks for.
+/// Domain  a state and rates as `free_flight` takes them.
+template <Ordered T>
+[[nodiscard]] FlightPath<T> path_of(const State<T>& state, const TopRates<T>& rates, const Vec3<T>& gravity) {
+  FlightPath<T> path;
+  path.p_W = state.p_WB;
+  path.v_W = state.v_WB;
+  path.a_W = gravity;
+  path.u_W = formula::symmetry_axis(state.q_WB);
+  const T square = formula::dot(state.L_W, state.L_W);
+  // So small that its square has lost digits, it turns nothing.
+  if (std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon() < square) {
+    const T momentum = scalar::sqrt(square);
+    path.k_W = state.L_W / momentum;
+    path.rate = momentum * rates.precession;
+  }
+  return path;
+}
+
+namespace detail {
+
+template <Ordered T>
+[[nodiscard]] Plane<T> floor_of(const Board<T>& board) {
+  return {Vec3<T>(T(0), T(0), T(1)), board.floor};
+}
+
+/// Whether the centre is over the primary region from now to t.
+template <Ordered T>
+[[nodiscard]] bool stays_inside(const Run<T>& run, const FlightPath<T>& path, const T& t) {
+  const auto inside = [&](std::size_t axis, const T& half, const T& when) {
+    const auto i = static_cast<Eigen::Index>(axis);
+    const T x = path.p_W[i] + when * (path.v_W[i] + when / T(2) * path.a_W[i]);
+    return (x < T(0) ? T(-x) : x) <= half - run.reach;
+  };
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const T& half = axis == 0 ? run.board->half_width : run.board->half_length;
+    const auto i = static_cast<Eigen::Index>(axis);
+    const T turn = path.v_W[i] * path.a_W[i] < T(0) ? T(-path.v_W[i] / path.a_W[i]) : T(0);
+    if (!inside(axis, half, T(0)) || !inside(axis, half, t) || (turn < t && !inside(axis, half, turn))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// When the gap of a stone that has just left a plane is surely open   [s]; 0 if it does not open by itself.
+template <Ordered T>
+[[nodiscard]] T opening_time(const Run<T>& run) {
+  const FlightPath<T> path = path_of(run.state, run.rates, run.settings.gravity);
+  const GapAlong<T> gap = gap_along(run.stone, path, Vec3<T>(T(0), T(0), T(1)), run.level);
+  const T sure = T(1e-13) * outer_width(run.stone);
+  for (T t = T(1e-8); t < T(1e-2); t = T(2) * t) {
+    const typename GapAlong<T>::Value then = gap(t);
+    if (sure < then.gap && T(0) < then.rate) {
+      return t;
+    }
+    if (then.gap < -sure) {
+      break;
+    }
+  }
+  return T(0);
+}
+
+/// The first touch within `left`.
+template <Ordered T>
+[[nodiscard]] TimeOfImpact<T> next_impact(const Run<T>& run, const T& left) {
+  const FlightPath<T> path = path_of(run.state, run.rates, run.settings.gravity);
+  if (run.board == nullptr) {
+    return time_of_impact(run.stone, path, Plane<T>{}, left);
+  }
+  // Over the middle of the surface the flight has one axis to ask.
+  if (T(0) < run.state.p_WB.z() && stays_inside(run, path, T(0))) {
+    const TimeOfImpact<T> hit = time_of_impact(run.stone, path, Plane<T>{}, left);
+    if (hit.status == ImpactStatus::hit && stays_inside(run, path, hit.time)) {
+      return hit;
+    }
+  }
+  TimeOfImpact<T> hit = time_of_impact(run.stone, path, *run.board, left);
+  if (hit.status != ImpactStatus::overlapping) {
+    const TimeOfImpact<T> on_floor = time_of_impact(run.stone, path, floor_of(*run.board), left);
+    if (on_floor.status != ImpactStatus::none && (hit.status == ImpactStatus::none || on_floor.time < hit.time)) {
+      hit = on_floor;
+    }
+  }
+  return hit;
+}
+
+}  // namespace detail
+}  // namespace goishi

@@ -1,0 +1,103 @@
+#pragma once
+/// \file
+/// Contact without slip: the equations, and what is watched while they hold.
+
+#include <array>
+#include <goishi/drop/dormand_prince.hpp>
+#include <goishi/drop/kinetics.hpp>
+
+namespace goishi::detail {
+
+/// What is watched along a step: each is positive as long as the present equations hold.
+/// (`turning` is not watched by its sign.)
+enum class Guard { none, feature, lift_off, grip, slip, jam, support, turning };
+inline constexpr std::size_t guard_count = 6;
+
+/// The guards of a state, in the order of `names`; the unused are 1.
+template <class T>
+struct Guards {
+  std::array<T, guard_count> value;
+};
+
+/// How far the contact point is from leaving the present feature: > 0 on it. A ball has one feature.
+template <Ordered T>
+[[nodiscard]] T feature_guard(const Stone<T>& stone, Feature feature, const Vec3<T>& u) {
+  if (!(T(0) < stone.sphere_offset)) {
+    return T(1);
+  }
+  const T radial = scalar::sqrt(T(scalar::sq(u.x()) + scalar::sq(u.y()))) * stone.joint_sine;
+  const T axial = u.z() * stone.joint_cosine;
+  if (feature == Feature::rim) {
+    return radial - (axial < T(0) ? T(-axial) : axial);
+  }
+  return (feature == Feature::lower_cap ? axial : T(-axial)) - radial;
+}
+
+/// Rolling: the contact point is at rest, and friction is what that takes.
+template <Ordered T>
+class Rolling {
+ public:
+  static constexpr std::size_t used = 10;
+  static constexpr bool slip_is_vector = false;
+
+  Rolling(const ContactBody<T>& body, Feature feature, const Vec3<T>& origin)
+      : body_(body), feature_(feature), origin_(origin) {}
+
+  [[nodiscard]] static int order() { return 5; }
+
+  /// The rates at y; what they came from is kept.
+  [[nodiscard]] Variables<T> operator()(const Variables<T>& y) {
+    ++evaluations;
+    now = kinetics(body_, feature_, y);
+    force = formula::rolling_force(now.W, now.brake, now.need);
+    if (force.z() < T(0)) {  // under infinite friction a contact may pull; resistance goes by the size of the force
+      now.torque = formula::scaled(T(-1), now.torque);
+      now.brake = formula::scaled(T(-1), now.brake);
+      force = formula::rolling_force(now.W, now.brake, now.need);
+    }
+    return rates(body_, now, force, T(0), T(0), origin_);
+  }
+
+  [[nodiscard]] Trial<T, variables> step(const Variables<T>& y, const Variables<T>& rate, const T& h, bool& possible) {
+    possible = true;
+    return dormand_prince(y, rate, h, *this);
+  }
+
+  /// Of the state that was evaluated last. Grip: what is left of the friction cone, per unit of weight. It is gone
+  /// before the normal force is, and slipping then decides whether the stone lifts off. Infinite friction has no cone:
+  /// there the stone lifts off when it would without any force, and till then the contact may pull, as teeth that
+  /// interlock do.
+  [[nodiscard]] Guards<T> guards() const {
+    const T& weight = body_.strength;
+    T grip(1), normal(1);
+    if (body_.friction < std::numeric_limits<T>::infinity()) {
+      grip = (body_.friction * force.z() - scalar::sqrt(T(scalar::sq(force.x()) + scalar::sq(force.y())))) / weight;
+    } else {
+      normal = now.need.z() / weight;
+    }
+    return {{feature_guard(body_.stone, feature_, now.u), normal, grip, T(1), T(1), T(1)}};
+  }
+
+  /// A contact that does not slip cannot jam.
+  [[nodiscard]] static bool jams() { return false; }
+
+  [[nodiscard]] static T weight_of_direction(const Variables<T>&, const T&, const T&) { return T(0); }
+  [[nodiscard]] T slip_x(const Variables<T>&) const { return T(0); }
+  [[nodiscard]] T slip_y(const Variables<T>&) const { return T(0); }
+
+  static constexpr std::array<Guard, guard_count> names = {Guard::feature, Guard::lift_off, Guard::grip,
+                                                           Guard::none,    Guard::none,     Guard::support};
+
+  void carry_from(const Vec3<T>& origin) { origin_ = origin; }
+
+  Kinetics<T> now;
+  Vec3<T> force;  // on the contact point, per unit of mass
+  int evaluations = 0;
+
+ private:
+  const ContactBody<T>& body_;
+  Feature feature_;
+  Vec3<T> origin_;
+};
+
+}  // namespace goishi::detail

@@ -1,0 +1,159 @@
+#pragma once
+/// \file
+/// Contact that slips under dry friction. The slip is (σ, φ): near σ = 0 only its direction φ is stiff, and turns with
+/// a rate of order μg/σ towards where the slip's own rate points. An additive Runge–Kutta pair takes that one variable
+/// implicitly, all others explicitly, so that micro-slip costs no more steps than slip.
+
+#include <goishi/drop/dormand_prince.hpp>
+#include <goishi/drop/gliding.hpp>
+
+namespace goishi::detail {
+
+template <Ordered T>
+class Sliding {
+ public:
+  static constexpr std::size_t used = 12;
+  static constexpr bool slip_is_vector = false;
+
+  Sliding(const ContactBody<T>& body, Feature feature, const Vec3<T>& origin)
+      : body_(body), feature_(feature), origin_(origin), stiffness_(body.friction * stiffness_of(body)) {}
+
+  /// Of the pair that the last step was taken with.
+  [[nodiscard]] int order() const { return order_; }
+
+  /// The rates at y. φ̇ is 0 where the slip has no direction yet.
+  [[nodiscard]] Variables<T> operator()(const Variables<T>& y) {
+    evaluate(y);
+    direct(y[at::direction]);
+    Variables<T> rate = all_rates(y);
+    const T sigma = y[at::slip];
+    rate[at::direction] = T(1e-14) < sigma ? T(slip_.across / sigma) : T(0);
+    return rate;
+  }
+
+  /// Dormand–Prince where the direction is not stiff, else the additive pair. False in `possible` where no direction
+  /// was found.
+  [[nodiscard]] Trial<T, variables> step(const Variables<T>& y, const Variables<T>& rate, const T& h, bool& possible) {
+    jams_ = false;
+    const T sigma = y[at::slip];
+    if (h * stiffness_ < sigma && -(T(2) * h * rate[at::slip]) < sigma) {
+      order_ = 5;
+      const Trial<T, variables> trial = dormand_prince(y, rate, h, *this);
+      possible = !jams_;
+      return trial;
+    }
+    order_ = 4;
+    return additive_step(y, rate, h, possible);
+  }
+  [[nodiscard]] Guards<T> guards() const {
+    return {{feature_guard(body_.stone, feature_, now.u), T(now.need.z() / body_.strength), T(1), sigma_,
+             T(slip_.denominator - Gliding<T>::jam_margin(now.W.zz)), T(1)}};
+  }
+
+  /// Whether the last step met Painlevé's case.
+  [[nodiscard]] bool jams() const { return jams_; }
+
+  /// An error of the direction counts by what it does: to the slip, and over the step through the force.
+  [[nodiscard]] T weight_of_direction(const Variables<T>& y, const T& speed, const T& h) const {
+    const T reach = y[at::slip] + body_.friction * body_.strength * h;
+    return reach / speed;
+  }
+  [[nodiscard]] T slip_x(const Variables<T>& y) const { return y[at::slip] * scalar::cos(y[at::direction]); }
+  [[nodiscard]] T slip_y(const Variables<T>& y) const { return y[at::slip] * scalar::sin(y[at::direction]); }
+
+  static constexpr std::array<Guard, guard_count> names = {Guard::feature, Guard::lift_off, Guard::none,
+                                                           Guard::slip,    Guard::jam,      Guard::support};
+
+  void carry_from(const Vec3<T>& origin) { origin_ = origin; }
+
+  Kinetics<T> now;
+  Vec3<T> force;
+  int evaluations = 0;
+
+ private:
+  [[nodiscard]] Trial<T, variables> additive_step(const Variables<T>& y, const Variables<T>& rate, const T& h,
+                                                  bool& possible) {
+    const auto solve_stage = [&](Variables<T>& stage, const T& reach, Variables<T>& k) {
+      evaluate(stage);
+      T turn = k[at::direction];
+      if (!solve(stage[at::slip], stage[at::direction], reach, turn)) {
+        return false;
+      }
+      stage[at::direction] = stage[at::direction] + reach * turn;
+      k = all_rates(stage);
+      k[at::direction] = turn;
+      return true;
+    };
+    Trial<T, variables> trial = additive_runge_kutta<T, variables>(y, rate, h, at::direction, possible, solve_stage);
+    if (!possible) {
+      return {};
+    }
+    const T turn = trial.rate[at::direction];
+    trial.rate = (*this)(trial.y);
+    possible = !jams_;
+    if (!(T(1e-6) < trial.y[at::slip])) {
+      trial.rate[at::direction] = turn;
+    }
+    return trial;
+  }
+
+  void evaluate(const Variables<T>& y) {
+    ++evaluations;
+    now = kinetics(body_, feature_, y);
+    sigma_ = y[at::slip];
+  }
+
+  void direct(const T& phi) {
+    c_ = scalar::cos(phi);
+    s_ = scalar::sin(phi);
+    slip_ = formula::slip_rate(now.W, now.brake, now.need, body_.friction, c_, s_);
+    jams_ = jams_ || !(Gliding<T>::jam_margin(now.W.zz) < slip_.denominator);
+  }
+
+  [[nodiscard]] Variables<T> all_rates(const Variables<T>& y) {
+    force = {T(-(body_.friction * slip_.N * c_)), T(-(body_.friction * slip_.N * s_)), slip_.N};
+    Variables<T> rate = rates(body_, now, force, T(y[at::slip] * c_), T(y[at::slip] * s_), origin_);
+    rate[at::slip] = slip_.along - body_.damping * y[at::slip];
+    return rate;
+  }
+
+  /// φ̇ of an implicit stage: σ φ̇ = across(φ₀ + reach φ̇), by Newton. False where that is not stable, or does not
+  /// converge.
+  [[nodiscard]] bool solve(const T& sigma, const T& phi, const T& reach, T& turn) {
+    constexpr int most_steps = 12;
+    for (int i = 0; i < most_steps; ++i) {
+      direct(T(phi + reach * turn));
+      const T residual = slip_.across - sigma * turn;
+      const T slope = sigma - reach * slip_.across_slope;
+      if (!(T(0) < slope) || !(T(0) < slip_.denominator)) {
+        return false;
+      }
+      const T change = residual / slope;
+      turn = turn + change;
+      const T moved = reach * change;
+      if (-T(1) < moved && moved < T(1)) {
+        // Newton squares the error: what a change of 1e-6 leaves is 1e-12.
+        if (scalar::sq(moved) < T(1e-12)) {
+          if (T(1e-26) < scalar::sq(moved)) {
+            direct(T(phi + reach * turn));
+          }
+          return true;
+        }
+      } else {
+        return false;
+      }
+    }
+    return false;
+  }
+
+  const ContactBody<T>& body_;
+  Feature feature_;
+  Vec3<T> origin_;
+  SlipRate<T> slip_ = {};
+  T c_ = T(1), s_ = T(0), sigma_ = T(0);
+  bool jams_ = false;
+  T stiffness_;  // least slip over step that is not stiff [m/s²]
+  int order_ = 4;
+};
+
+}  // namespace goishi::detail

@@ -1,0 +1,83 @@
+#pragma once
+/// \file
+/// Friction that slips, as formulas: what a law of friction and the normal force that goes with it do to the slip. Per
+/// unit of mass, as in contact_motion.hpp.
+
+#include <goishi/drop/contact_motion.hpp>
+
+namespace goishi {
+
+/// Rate of a slip s = σ (cos φ, sin φ) under dry friction.
+template <class T>
+struct SlipRate {
+  T N;             // [m/s²] normal force
+  T denominator;   // of N; <= 0 is Painlevé's case
+  T along;         // [m/s²] σ̇
+  T across;        // [m/s²] σ φ̇
+  T across_slope;  // [m/s²] d(σ φ̇)/dφ
+};
+
+/// Rate of a slip s = (s_x, s_y) under friction −k N s.
+template <class T>
+struct GlideRate {
+  T N;            // [m/s²] normal force
+  T denominator;  // of N; <= 0 is Painlevé's case
+  T x, y;         // [m/s²] ṡ
+};
+
+namespace formula {
+
+/// Dry friction, F = N (−μ c, −μ s, 1) for the slip's direction (c, s), a unit vector. The normal force is the one that
+/// keeps the contact point on the plane:
+///
+///     N = need_z / D,   D = W_zz + b_z − μ (W_xz c + W_yz s),   ṡ = N (W (−μ c, −μ s, 1) + b) − need
+///
+/// b = J τ × r is what the resistance of a normal force 1 does to the contact point.
+/// Domain  D > 0.   Proof  derivations/slip.cpp, the slope included.
+template <Field T>
+[[nodiscard]] SlipRate<T> slip_rate(const ContactMatrix<T>& W, const Vec3<T>& brake, const Vec3<T>& need, const T& mu,
+                                    const T& c, const T& s) {
+  SlipRate<T> rate;
+  rate.denominator = W.zz + brake.z() - mu * (W.xz * c + W.yz * s);
+  const T over = T(1) / rate.denominator;
+  rate.N = need.z() * over;
+  const T N_slope = rate.N * over * mu * (W.yz * c - W.xz * s);
+  const T p_x = W.xz + brake.x() - mu * (W.xx * c + W.xy * s);
+  const T p_y = W.yz + brake.y() - mu * (W.xy * c + W.yy * s);
+  const T p_x_slope = mu * (W.xx * s - W.xy * c), p_y_slope = mu * (W.xy * s - W.yy * c);
+  const T a_x = rate.N * p_x - need.x(), a_y = rate.N * p_y - need.y();
+  rate.along = a_x * c + a_y * s;
+  rate.across = a_y * c - a_x * s;
+  const T b_x = N_slope * p_x + rate.N * p_x_slope, b_y = N_slope * p_y + rate.N * p_y_slope;
+  rate.across_slope = b_y * c - b_x * s - rate.along;
+  return rate;
+}
+
+/// Friction in proportion to the slip, F = N (−k s_x, −k s_y, 1), with the normal force that keeps the contact point on
+/// the plane. Every smooth law is of this form, with a k of its own.
+/// Domain  D = W_zz + b_z − k (W_xz s_x + W_yz s_y) > 0.   Proof  derivations/slip.cpp.
+template <Field T>
+[[nodiscard]] GlideRate<T> glide_rate(const ContactMatrix<T>& W, const Vec3<T>& brake, const Vec3<T>& need, const T& k,
+                                      const T& s_x, const T& s_y) {
+  const Vec3<T> q(T(-(k * s_x)), T(-(k * s_y)), T(1));
+  const Vec3<T> gained = formula::plus(formula::product(W, q), brake);
+  GlideRate<T> rate;
+  rate.denominator = gained.z();
+  rate.N = need.z() / gained.z();
+  rate.x = rate.N * gained.x() - need.x();
+  rate.y = rate.N * gained.y() - need.y();
+  return rate;
+}
+
+/// Friction per normal force and slip of a contact patch that also turns (Coulomb–Contensou, in Zhuravlev's form)
+/// [s/m]: μ / √(|s|² + (8 a_c ω_z / 3π)² + creep²). `patch` is 8 a_c/3π, `creep` the slip below which friction is
+/// proportional to it even where the patch does not turn.
+/// Domain  not all three of the root zero.   Limits  no patch, no creep: μ/|s|.
+/// Source  Zhuravlev, J. Appl. Math. Mech. 62 (1998) 705.   Proof  derivations/slip.cpp.
+template <Elementary T>
+[[nodiscard]] T patch_friction(const T& mu, const T& patch, const T& w_z, const T& slip_square, const T& creep_square) {
+  return mu / scalar::sqrt(T(slip_square + scalar::sq(T(patch * w_z)) + creep_square));
+}
+
+}  // namespace formula
+}  // namespace goishi

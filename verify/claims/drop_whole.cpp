@@ -1,0 +1,316 @@
+/// DROP: whole drops. Every link of one against a witness; where it ends, by tolerance; the random drops of the stress
+/// test; and what a drop looks like.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "verify/claims/claims.hpp"
+#include "verify/stress/stress.hpp"
+#include "verify/touching_samples.hpp"
+
+namespace goishi::verify {
+
+namespace {
+
+/// From 5 cm, in any attitude, spinning with up to 30 rad/s.
+State<double> draw_fall(Context& context, const RigidBody<double>& body) {
+  State<double> state;
+  state.p_WB = {0.0, 0.0, 0.05};
+  state.v_WB = Vec3<double>::Zero();
+  state.q_WB = draw_attitude(context.random());
+  state.L_W =
+      formula::angular_momentum_W(state.q_WB, body, Vec3<double>(context.uniform(0.0, 30.0) * draw_unit(context)));
+  return state;
+}
+
+/// A flight and the impact at its end, in long double, by the definitions: a parabola; L constant, the axis turned about
+/// it by |L| t/I_t; the impulse's change of both momenta; v_n⁺ = −e v_n and the cone.
+void see_flight(const Context& context, const Subject& subject, const Event<double>& from, const Event<double>& to,
+                Worst& worst) {
+  const Long t = static_cast<Long>(to.time) - static_cast<Long>(from.time);
+  const Long3 g = subject.settings.gravity.cast<Long>(), v = from.after.v_WB.cast<Long>();
+  const Long3 p = from.after.p_WB.cast<Long>() + t * v + t * t / 2 * g;
+  const Long3 L = from.after.L_W.cast<Long>() / static_cast<Long>(subject.body.mass);
+  const Long3 u = from.after.q_WB.cast<Long>() * Long3(0, 0, 1);
+  const Long size = L.norm(), angle = size / subject.witness.transverse * t;
+  const Long3 k = size > 0 ? Long3(L / size) : Long3(0, 0, 1);
+  const Long3 turned = std::cos(angle) * u + std::sin(angle) * k.cross(u) + (1 - std::cos(angle)) * k.dot(u) * k;
+  const auto see = [&](Long error, const char* what) {
+    worst.see(as_double(error), [&] {
+      return fmt::format("{}: {}, at {} s, {}", what, describe(subject.specimen), to.time, to_string(to.kind));
+    });
+  };
+  const Long R = static_cast<Long>(outer_width(subject.specimen.stone)) / 2;
+  const Long3 there = static_cast<Long>(context.produced(1.0)) * to.before.p_WB.cast<Long>();
+  see((there - p).norm() / R, "flight: place");
+  see((to.before.q_WB.cast<Long>() * Long3(0, 0, 1) - turned).norm(), "flight: axis");
+  see((to.before.L_W - from.after.L_W).cast<Long>().norm() /
+          (static_cast<Long>(subject.body.mass) * size + std::numeric_limits<Long>::min()),
+      "flight: angular momentum");
+}
+
+void see_impact(const Subject& subject, const Event<double>& event, Worst& worst) {
+  const auto see = [&](Long error, const char* what) {
+    worst.see(as_double(error), [&] {
+      return fmt::format("{}: {}, at {} s, {}", what, describe(subject.specimen), event.time, to_string(event.kind));
+    });
+  };
+  const Long m = subject.body.mass;
+  const Long3 j = event.impulse_W.cast<Long>(), n = event.normal_W.cast<Long>();
+  const Long3 r = event.contact_W.cast<Long>() - event.after.p_WB.cast<Long>();
+  const Long speed = event.before.v_WB.cast<Long>().norm() + 1e-3L;
+  see((event.after.v_WB.cast<Long>() - event.before.v_WB.cast<Long>() - j / m).norm() / speed, "impact: momentum");
+  see((event.after.L_W.cast<Long>() - event.before.L_W.cast<Long>() - r.cross(j)).norm() / (m * r.norm() * speed),
+      "impact: angular momentum");
+  const auto velocity = [&](const State<double>& state) {
+    const Long3 u = state.q_WB.cast<Long>() * Long3(0, 0, 1), L = state.L_W.cast<Long>() / m;
+    const Long along = L.dot(u);
+    const Long3 w = (L - along * u) / subject.witness.transverse + along / subject.witness.axial * u;
+    return Long3(state.v_WB.cast<Long>() + w.cross(r));
+  };
+  const Long3 before = velocity(event.before), after = velocity(event.after);
+  const Long e = event.kind == EventKind::contact ? 0.0L : static_cast<Long>(subject.settings.restitution);
+  see(std::fabs(after.dot(n) + e * before.dot(n)) / speed, "impact: restitution");
+  const Long normal = j.dot(n);
+  const Long outside = (j - normal * n).norm() - static_cast<Long>(subject.settings.friction) * normal;
+  see(std::max<Long>(0, outside) / (m * speed), "impact: cone");
+}
+
+Measurement measure_links(Context& context) {
+  Worst worst;
+  Located located;
+  int flights = 0, impacts = 0;
+  for (int i = 0; i < context.samples(4, 12); ++i) {
+    Subject subject = draw_subject(context, 5 * i);  // dry
+    subject.settings.restitution = context.uniform(0.1, 0.8);
+    const Drop<double> drop =
+        goishi::drop(subject.specimen.stone, subject.body, draw_fall(context, subject.body), subject.settings);
+    for (std::size_t k = 0; k < drop.events.size(); ++k) {
+      const Event<double>& event = drop.events[k];
+      if (event.kind != EventKind::impact && event.kind != EventKind::contact) {
+        continue;
+      }
+      see_impact(subject, event, worst);
+      ++impacts;
+      const EventKind before = drop.events[k - 1].kind;
+      if (before == EventKind::start || before == EventKind::impact) {
+        see_flight(context, subject, drop.events[k - 1], event, worst);
+        ++flights;
+      }
+    }
+    see_stretches(context, subject, drop, worst, located);
+  }
+  Measurement result = worst.measurement();
+  result.figures = {{"flights, impacts", fmt::format("{}, {}", flights, impacts)},
+                    {"contact phases", describe(located)}};
+  return result;
+}
+
+// --- where it ends
+
+Drop<double> dropped(const Pebble& pebble, const State<double>& start, double tolerance) {
+  DropSettings<double> settings;
+  settings.tolerance = tolerance;
+  return drop(pebble.stone, pebble.body, start, settings);
+}
+
+double quantile(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+Measurement measure_tolerance(Context& context) {
+  const Pebble pebble = size_33(0.001);
+  const std::array<double, 4> tolerances = {1e-5, 1e-6, 1e-7, 1e-9};
+  std::array<std::vector<double>, 4> off;
+  std::vector<double> magnified;
+  Worst worst;
+  for (int i = 0; i < context.samples(40, 80); ++i) {
+    const State<double> start = draw_fall(context, pebble.body);
+    const Drop<double> best = dropped(pebble, start, 1e-11);
+    for (std::size_t k = 0; k < tolerances.size(); ++k) {
+      const Drop<double> other = dropped(pebble, start, tolerances[k]);
+      const Vec3<double> p(context.produced(other.state.p_WB.x()), other.state.p_WB.y(), other.state.p_WB.z());
+      off[k].push_back(other.status == DropStatus::rest ? (p - best.state.p_WB).norm() : 1.0);
+    }
+    State<double> moved = start;
+    moved.L_W *= 1.0 + 1e-9;
+    magnified.push_back((dropped(pebble, moved, 1e-11).state.p_WB - best.state.p_WB).norm() / 1e-9 / 0.05);
+  }
+  const double typical = quantile(off[3], 0.9);
+  worst.see(typical, [&] { return std::string("nine in ten drops at 1e-9"); });
+  Measurement result = worst.measurement();
+  Series median{"median", {}}, most{"nine in ten", {}};
+  for (std::size_t k = 0; k < tolerances.size(); ++k) {
+    median.points.emplace_back(tolerances[k], quantile(off[k], 0.5));
+    most.points.emplace_back(tolerances[k], quantile(off[k], 0.9));
+  }
+  result.figures = {{"median at 1e-9", fmt::format("{:.2g} m", quantile(off[3], 0.5))},
+                    {"median and nine in ten at 1e-6",
+                     fmt::format("{:.2g} m, {:.2g} m", quantile(off[1], 0.5), quantile(off[1], 0.9))},
+                    {"how much a drop magnifies a relative error of its spin, in units of 5 cm: median, nine in ten",
+                     fmt::format("{:.2g}, {:.2g}", quantile(magnified, 0.5), quantile(magnified, 0.9))}};
+  result.plots = {{.title = "Where a stone dropped from 5 cm comes to rest, against a run at 1e-11",
+                   .x_label = "tolerance",
+                   .y_label = "distance [m]",
+                   .log_x = true,
+                   .log_y = true,
+                   .series = {median, most}}};
+  return result;
+}
+
+// --- random drops
+
+Measurement measure_stress(Context& context) {
+  Worst worst;
+  const std::uint64_t seed = context.random()();
+  int faults = 0;
+  for (int i = 0; i < context.samples(150, 300); ++i) {
+    const stress::Verdict verdict = stress::judge_index(seed, static_cast<std::uint64_t>(i));
+    faults += static_cast<int>(verdict.faults.size());
+    worst.see(faults, [&] {
+      return fmt::format("{} (goishi-verify stress --seed {} --case {})",
+                         verdict.faults.empty() ? "no fault" : verdict.faults.front(), seed, i);
+    });
+  }
+  return worst.measurement();
+}
+
+// --- what a drop looks like
+
+/// Height, tilt and energy at a time of a drop: the same drop, stopped there.
+struct Look3 {
+  double height, tilt, energy;
+};
+
+Look3 seen_at(const Pebble& pebble, const State<double>& start, double time) {
+  DropSettings<double> settings;
+  settings.tolerance = 1e-7;
+  settings.horizon = time;
+  const Drop<double> drop = goishi::drop(pebble.stone, pebble.body, start, settings);
+  const Witnessed seen = witnessed(pebble, drop.state);
+  return {drop.state.p_WB.z(), as_double(seen.tilt) / degree, as_double(seen.energy) * pebble.body.mass};
+}
+
+Measurement measure_picture(Context& context) {
+  const Pebble pebble = size_33(0.001);
+  Worst worst;
+  const State<double> start = draw_fall(context, pebble.body);
+  const Drop<double> drop = dropped(pebble, start, 1e-9);
+  Series height{"height of the centre", {}}, tilt{"tilt", {}}, energy{"energy", {}};
+  const int count = context.samples(120, 400);
+  double last = std::numeric_limits<double>::infinity();
+  for (int i = 1; i <= count; ++i) {
+    const double time = drop.time * static_cast<double>(i) / static_cast<double>(count);
+    const Look3 look = seen_at(pebble, start, time);
+    height.points.emplace_back(time, 1e3 * look.height);
+    tilt.points.emplace_back(time, look.tilt);
+    energy.points.emplace_back(time, 1e6 * look.energy);
+    // The unit is the fall's energy.
+    const double rise = (context.produced(look.energy) - last) / (pebble.body.mass * g_earth * 0.05);
+    worst.see(std::max(0.0, rise), [&] { return fmt::format("at {} s", time); });
+    last = look.energy;
+  }
+  const auto marks = [&](EventKind kind, auto&& value) {
+    Series series{std::string(to_string(kind)), {}, false, Look::star};
+    for (const Event<double>& event : drop.events) {
+      if (event.kind == kind) {
+        series.points.emplace_back(event.time, value(event));
+      }
+    }
+    return series;
+  };
+  const auto with_marks = [&](Series line, auto&& value) {
+    std::vector<Series> all = {std::move(line)};
+    for (const EventKind kind : {EventKind::impact, EventKind::contact, EventKind::slip, EventKind::stick,
+                                 EventKind::feature, EventKind::lift_off, EventKind::rest}) {
+      if (Series series = marks(kind, value); !series.points.empty()) {
+        all.push_back(std::move(series));
+      }
+    }
+    return all;
+  };
+  Measurement result = worst.measurement();
+  const auto tilt_of = [&](const Event<double>& event) {
+    return as_double(witnessed(pebble, event.after).tilt) / degree;
+  };
+  result.plots = {{.title = "A drop: height against time",
+                   .x_label = "time [s]",
+                   .y_label = "height of the centre [mm]",
+                   .series = with_marks(height, [](const Event<double>& e) { return 1e3 * e.after.p_WB.z(); })},
+                  {.title = "The same drop: tilt of the axis",
+                   .x_label = "time [s]",
+                   .y_label = "tilt [°]",
+                   .series = with_marks(tilt, tilt_of)},
+                  {.title = "The same drop: energy",
+                   .x_label = "time [s]",
+                   .y_label = "energy over the board's surface [µJ]",
+                   .series = with_marks(energy, [](const Event<double>& e) { return 1e6 * e.energy; })}};
+  std::string kinds;
+  for (const Event<double>& event : drop.events) {
+    kinds += fmt::format("{}{} {:.4f} s", kinds.empty() ? "" : ", ", to_string(event.kind), event.time);
+  }
+  result.figures = {{"events", kinds}};
+  return result;
+}
+
+}  // namespace
+
+std::vector<Claim> drop_whole_claims() {
+  return {
+      {.id = "DROP-18",
+       .statement = "Every link of a drop from 5 cm to rest is right: each flight, each impact, each contact phase",
+       .function = "drop",
+       .family = OracleFamily::independent,
+       .oracle =
+           "parabola and Rodrigues' rotation, impulse and momentum, Lagrange's equations by Odeint; in long double",
+       .unit = "of half the width, rad, of speed and momentum",
+       .bound = 4e-10,
+       .reason = "tolerance 1e-12 of the contact phase, magnified by what follows in it",
+       .resolution = 5e-12,
+       .mutants = {{"drop/flight_phase.hpp", "push(contact, material_.restitution, EventKind::impact)",
+                    "push(contact, T(0), EventKind::impact)"},
+                   {"drop/contact_motion.hpp", "T(-(over / (radial * radial)))", "T(over / (radial * radial))"}},
+       .measure = measure_links},
+      {.id = "DROP-19",
+       .statement = "Nine in ten drops of size 33 from 5 cm come to rest within 1e-7 m of a run at tolerance 1e-11",
+       .function = "drop",
+       .family = OracleFamily::metamorphic,
+       .oracle = "the same drop at tolerance 1e-11",
+       .unit = "m",
+       .bound = 1e-7,
+       .reason = "the bar, which asks it of the median",
+       .resolution = 2e-9,
+       .mutants = {{"drop/integrator.hpp", "return worst / run_.settings.tolerance;", "return worst / T(1e-6);"}},
+       .measure = measure_tolerance},
+      {.id = "DROP-20",
+       .statement =
+           "Random drops of any stone, start, law and material: no NaN, no tunnelling, no energy from nothing, and "
+           "a status that is true",
+       .function = "drop",
+       .family = OracleFamily::invariant,
+       .oracle = "the stress test's judge: gaps along flights and at events, energy at events, rest that lasts",
+       .unit = "faults",
+       .bound = 0.0,
+       .reason = "there must be none",
+       .resolution = 0.0,
+       .mutants = {{"drop/next_impact.hpp", "if (hit.status != ImpactStatus::overlapping) {", "if (false) {"},
+                   {"drop/flight_phase.hpp", "&& stays_beside()", ""}},
+       .measure = measure_stress},
+      {.id = "DROP-21",
+       .statement = "The energy of a drop, seen at any time, only falls (with pictures)",
+       .function = "drop",
+       .family = OracleFamily::invariant,
+       .oracle = "energy of the states, in long double",
+       .unit = "of the fall's energy",
+       .bound = 2e-7,
+       .reason = "each point is a drop of its own, at tolerance 1e-7",
+       .resolution = 1e-8,
+       .mutants = {{"drop/contact_state.hpp", "T(run.level + now.height)", "T(run.level + T(2) * now.height)"}},
+       .measure = measure_picture},
+  };
+}
+
+}  // namespace goishi::verify

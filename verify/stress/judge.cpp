@@ -1,0 +1,203 @@
+#include "verify/stress/judge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace goishi::verify::stress {
+
+namespace {
+
+bool is_finite(const State<double>& state) {
+  return state.p_WB.allFinite() && state.v_WB.allFinite() && state.L_W.allFinite() && state.q_WB.coeffs().allFinite();
+}
+
+/// Gap to the nearest of what the scene has   [m].
+double gap_of(const Scene& scene, const State<double>& state) {
+  const Pose<double> pose{state.p_WB, state.q_WB};
+  if (!scene.board) {
+    return separation(scene.stone, pose, Plane<double>{Vec3<double>::UnitZ(), 0.0}).gap;
+  }
+  const double over_floor = separation(scene.stone, pose, Plane<double>{Vec3<double>::UnitZ(), scene.board->floor}).gap;
+  return std::fmin(over_floor, separation(scene.stone, pose, *scene.board).gap);
+}
+
+bool starts_flight(EventKind kind) {
+  return kind == EventKind::start || kind == EventKind::woken || kind == EventKind::impact ||
+         kind == EventKind::lift_off || kind == EventKind::board_edge || kind == EventKind::side;
+}
+
+class Judge {
+ public:
+  Judge(const Scene& scene, const Drop<double>& drop)
+      : scene_(scene),
+        drop_(drop),
+        width_(outer_width(scene.stone)),
+        rates_(make_top_rates(Moments<double>{.axial = scene.body.moments.z(), .transverse = scene.body.moments.x()})) {
+  }
+
+  Verdict operator()() {
+    verdict_.status = drop_.status;
+    verdict_.lower_order = drop_.lower_order;
+    if (!numbers()) {
+      return verdict_;
+    }
+    if (drop_.status != DropStatus::start_inside) {
+      depths();
+      energies();
+    }
+    status();
+    return verdict_;
+  }
+
+ private:
+  void fault(std::string what) { verdict_.faults.push_back(std::move(what)); }
+
+  bool numbers() {
+    double last = 0.0;
+    for (const Event<double>& event : drop_.events) {
+      if (!(last <= event.time)) {
+        fault(fmt::format("time {} after {}", event.time, last));
+      }
+      last = event.time;
+      if (!is_finite(event.before) || !is_finite(event.after) || !std::isfinite(event.energy) ||
+          !event.impulse_W.allFinite()) {
+        fault(fmt::format("not a number at {} s, {}", event.time, to_string(event.kind)));
+        return false;
+      }
+    }
+    if (!is_finite(drop_.state) || drop_.events.empty()) {
+      fault("no end");
+      return false;
+    }
+    return true;
+  }
+
+  void see_depth(const State<double>& state, double time, std::string_view where) {
+    const double depth = -gap_of(scene_, state) / width_;
+    verdict_.depth = std::max(verdict_.depth, depth);
+    // Touching is allowed to 1e-9 of the width at the start; all that follows is to round-off of the place.
+    if (!(depth <= 2e-9)) {
+      fault(fmt::format("{:.3g} widths deep at {} s, {}", depth, time, where));
+    }
+  }
+
+  /// At events, and between two that a free flight joins (not a contact on an edge, which is passed by unrecorded hops).
+  void depths() {
+    const std::vector<Event<double>>& events = drop_.events;
+    const std::size_t stride = events.size() / 500 + 1;
+    for (std::size_t i = 0; i + 1 < events.size(); i += stride) {
+      see_depth(events[i].after, events[i].time, to_string(events[i].kind));
+      const double t = events[i + 1].time - events[i].time;
+      const State<double> flown = formula::free_flight(events[i].after, rates_, scene_.settings.gravity, t);
+      const bool flies = starts_flight(events[i].kind) && 0.0 < t &&
+                         (flown.p_WB - events[i + 1].before.p_WB).norm() <= 1e-9 * width_ &&
+                         (flown.v_WB - events[i + 1].before.v_WB).norm() <= 1e-9;
+      if (!flies) {
+        continue;
+      }
+      for (const double share : {0.02, 0.1, 0.25, 0.5, 0.75, 0.9, 0.98}) {
+        see_depth(formula::free_flight(events[i].after, rates_, scene_.settings.gravity, share * t),
+                  events[i].time + share * t, "in flight");
+      }
+    }
+    see_depth(drop_.state, drop_.time, "end");
+  }
+
+  void energies() {
+    const DropSettings<double>& set = scene_.settings;
+    const double m = scene_.body.mass, g = set.gravity.norm();
+    const double first = drop_.events.front().energy;
+    // A step of the contact phase may be wrong by its tolerance of m g w/2, and a few may add up where the stone all but
+    // stands still; what is added up has round-off of the whole.
+    const double allowed = 10.0 * set.tolerance * m * g * width_;
+    double last = first;
+    for (const Event<double>& event : drop_.events) {
+      const State<double>& now = event.after;
+      const double size = m * (g * now.p_WB.norm() + now.v_WB.squaredNorm()) + std::fabs(event.energy);
+      const double hops =
+          m * (drop_.lower_order ? set.edge_speed * set.edge_speed : set.contact_speed * set.contact_speed);
+      const double rise = (event.energy - last) / (allowed + hops + 1e-13 * size);
+      if (verdict_.energy_rise < rise) {
+        verdict_.energy_rise = rise;
+      }
+      if (!(rise <= 1.0)) {
+        fault(fmt::format("energy rises by {:.3g} J ({:.3g} of what is allowed) at {} s, {}", event.energy - last, rise,
+                          event.time, to_string(event.kind)));
+      }
+      last = event.energy;
+    }
+  }
+
+  void status() {
+    const DropSettings<double>& set = scene_.settings;
+    const DropCounters& done = drop_.counters;
+    switch (drop_.status) {
+      case DropStatus::rest:
+      case DropStatus::rest_leaning:
+        if (0.0 < drop_.state.v_WB.norm() + drop_.state.L_W.norm()) {
+          fault("rests, and moves");
+        }
+        if (drop_.status == DropStatus::rest) {
+          goes_on_resting();
+        }
+        break;
+      case DropStatus::moving:
+        if (drop_.time < set.horizon * (1.0 - 1e-14) && done.impacts < set.maximum_impacts) {
+          fault("stopped before the horizon");
+        }
+        break;
+      case DropStatus::flies_on:
+        fault("flies on, and the horizon is finite");
+        break;
+      case DropStatus::start_inside:
+        if (!(1e-9 * width_ < drop_.depth) || !(std::fabs(gap_of(scene_, scene_.start) + drop_.depth) < 1e-12)) {
+          fault("the start is not inside by the depth that it says");
+        }
+        break;
+      case DropStatus::too_many_events:
+        if (drop_.events.size() < static_cast<std::size_t>(set.maximum_events)) {
+          fault("gave up at fewer events than allowed");
+        }
+        break;
+      case DropStatus::too_many_steps:
+        if (done.steps_accepted < set.maximum_steps && done.edge_impacts < set.maximum_steps) {
+          fault("gave up at fewer steps than allowed");
+        }
+        break;
+      case DropStatus::not_converged:
+        fault("did not converge");
+        break;
+    }
+  }
+
+  /// A drop from the place of rest rests at once, and there.
+  void goes_on_resting() {
+    Scene again = scene_;
+    again.start = drop_.state;
+    const Drop<double> then = run(again);
+    if (then.lower_order) {
+      return;  // it touches a side, too, and that scheme nudges it off
+    }
+    const double moved = (then.state.p_WB - drop_.state.p_WB).norm() / width_;
+    if (then.status != DropStatus::rest || !(moved <= 1e-9)) {
+      fault(fmt::format("dropped from its place of rest it ends as '{}' after {} s, {:.3g} widths away",
+                        to_string(then.status), then.time, moved));
+    }
+  }
+
+  const Scene& scene_;
+  const Drop<double>& drop_;
+  double width_;
+  TopRates<double> rates_;
+  Verdict verdict_;
+};
+
+}  // namespace
+
+Verdict judge(const Scene& scene, const Drop<double>& drop) {
+  return Judge(scene, drop)();
+}
+
+}  // namespace goishi::verify::stress

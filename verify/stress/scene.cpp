@@ -1,0 +1,221 @@
+#include "verify/stress/scene.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace goishi::verify::stress {
+
+namespace {
+
+class Dice {
+ public:
+  Dice(std::uint64_t seed, std::uint64_t index) {
+    std::seed_seq sequence{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32U),
+                           static_cast<std::uint32_t>(index), static_cast<std::uint32_t>(index >> 32U)};
+    random_.seed(sequence);
+  }
+  double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  double decades(double low, double high) { return std::pow(10.0, uniform(low, high)); }
+  double normal() { return std::normal_distribution<double>()(random_); }
+  Vec3<double> normal3() {
+    const double x = normal(), y = normal(), z = normal();
+    return {x, y, z};
+  }
+  /// One of 0 … sides − 1.
+  int of(int sides) { return std::uniform_int_distribution<int>(0, sides - 1)(random_); }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+Stone<double> draw_stone(Dice& dice) {
+  const double w = 0.022;
+  double h = w;
+  switch (dice.of(5)) {
+    case 0:
+      break;
+    case 1:
+      h = w * dice.decades(-4.0, -1.0);
+      break;
+    case 2:
+      h = w * (1.0 - dice.decades(-8.0, -1.0));
+      break;
+    default:
+      h = w * dice.uniform(0.2, 0.9);
+      break;
+  }
+  switch (dice.of(10)) {
+    case 0:
+    case 1:
+    case 2:
+      return make_stone(w, h, 0.0);
+    case 3:
+      return make_stone(w, h, h * dice.decades(-6.0, -2.0));
+    default:
+      return make_stone(w, h, h * dice.uniform(0.01, 0.95));
+  }
+}
+
+void draw_material(Dice& dice, DropSettings<double>& settings) {
+  const double restitutions[] = {0.0, 1.0, 1.0 - dice.decades(-4.0, -1.0)};
+  const int e = dice.of(6);
+  settings.restitution = e < 3 ? restitutions[e] : dice.uniform(0.0, 1.0);
+  const double frictions[] = {0.0, std::numeric_limits<double>::infinity(), dice.decades(-5.0, 3.0)};
+  const int mu = dice.of(6);
+  settings.friction = mu < 3 ? frictions[mu] : dice.uniform(0.0, 1.0);
+  const double length = dice.decades(-9.0, -3.0);
+  switch (dice.of(5)) {
+    case 0:
+      settings.rolling_resistance = settings.pivot_radius = 0.0;
+      break;
+    case 1:
+      settings.rolling_resistance = length;
+      settings.pivot_radius = 0.0;
+      break;
+    case 2:
+      settings.rolling_resistance = 0.0;
+      settings.pivot_radius = length;
+      break;
+    default:
+      break;
+  }
+  switch (dice.of(16)) {
+    case 0:
+    case 1:
+      settings.friction_model = FrictionModel::slip_proportional;
+      settings.slip_coefficient = dice.decades(-2.0, 1.0);
+      break;
+    case 2:
+      settings.friction_model = FrictionModel::coulomb_contensou;
+      settings.patch_radius = dice.decades(-5.0, -3.0);
+      break;
+    default:
+      break;
+  }
+  settings.damping = dice.of(10) == 0 ? dice.uniform(0.0, 5.0) : 0.0;
+  const ImpactLaw laws[] = {ImpactLaw::published, ImpactLaw::stronge};
+  const int law = dice.of(6);
+  settings.law = law < 2 ? laws[law] : ImpactLaw::chatterjee_ruina;
+  if (dice.of(6) == 0) {
+    const Vec3<double> lean = dice.normal3();
+    settings.gravity = dice.uniform(0.5, 1.5) * Vec3<double>(lean.x(), lean.y(), -9.8);
+  }
+}
+
+Quat<double> draw_attitude(Dice& dice) {
+  const double half = std::sqrt(0.5);
+  const double w = dice.normal();
+  const Vec3<double> v = dice.normal3();
+  switch (dice.of(6)) {
+    case 0:
+      return Quat<double>::Identity();  // flat
+    case 1:
+      return {half, half, 0.0, 0.0};  // on the rim
+    case 2:
+      return {half, 0.0, half, 0.0};
+    default:
+      return Quat<double>(w, v.x(), v.y(), v.z()).normalized();
+  }
+}
+
+/// Over the plane, the surface, its edges and corners, or beside the board.
+Vec3<double> draw_place(Dice& dice, std::optional<Board<double>>& board) {
+  const int place = dice.of(6);
+  const double height = dice.uniform(0.012, 0.06);
+  if (4 <= place) {
+    return {0.0, 0.0, height};
+  }
+  board = make_board<double>();
+  const auto edge = [&](double half) { return (dice.of(2) == 0 ? 1.0 : -1.0) * (half + dice.uniform(-0.012, 0.012)); };
+  const double along_x = dice.uniform(-0.25, 0.25), along_y = dice.uniform(-0.26, 0.26);
+  switch (place) {
+    case 0:
+      return {edge(board->half_width), along_y, height};
+    case 1:
+      return {edge(board->half_width), edge(board->half_length), height};
+    case 2:
+      return {along_x, along_y, height};
+    default:
+      return {board->half_width + 0.012 + dice.decades(-9.0, -1.5), along_y, dice.uniform(-0.13, 0.02)};
+  }
+}
+
+/// Down or sideways to where the stone touches.
+void bring_to_touch(Scene& scene) {
+  const Pose<double> pose{scene.start.p_WB, scene.start.q_WB};
+  Separation<double> nearest = separation(scene.stone, pose, Plane<double>{Vec3<double>::UnitZ(), 0.0});
+  if (scene.board) {
+    nearest = separation(scene.stone, pose, *scene.board);
+    const Separation<double> floor =
+        separation(scene.stone, pose, Plane<double>{Vec3<double>::UnitZ(), scene.board->floor});
+    nearest = floor.gap < nearest.gap ? floor : nearest;
+  }
+  scene.start.p_WB -= nearest.gap * nearest.n_W;
+}
+
+Vec3<double> draw_spin(Dice& dice) {
+  const Vec3<double> direction = dice.normal3().normalized();
+  const double fast = dice.decades(0.0, 3.0), usual = dice.uniform(0.0, 100.0);
+  switch (dice.of(8)) {
+    case 0:
+    case 1:
+      return Vec3<double>::Zero();
+    case 2:
+      return fast * direction;
+    case 3:
+      return fast * Vec3<double>::UnitZ();
+    default:
+      return usual * direction;
+  }
+}
+
+}  // namespace
+
+Scene draw_scene(std::uint64_t seed, std::uint64_t index) {
+  Dice dice(seed, index);
+  Scene scene;
+  scene.stone = draw_stone(dice);
+  scene.body = make_rigid_body(mass_properties(scene.stone, Density{2800.0}));
+  draw_material(dice, scene.settings);
+  scene.settings.tolerance = dice.decades(-9.0, -5.0);
+  scene.settings.horizon = dice.of(20) == 0 ? 10.0 : dice.uniform(0.5, 3.0);
+  scene.settings.maximum_events = 20000;
+  scene.settings.maximum_steps = 100000;
+  scene.start.p_WB = draw_place(dice, scene.board);
+  const Vec3<double> velocity = dice.normal3();
+  const double speeds[] = {0.0, 0.05};
+  const int speed = dice.of(4);
+  scene.start.v_WB = (speed < 2 ? speeds[speed] : dice.uniform(0.0, 1.0)) * velocity;
+  scene.start.q_WB = draw_attitude(dice);
+  scene.start.L_W = formula::angular_momentum_W(scene.start.q_WB, scene.body, draw_spin(dice));
+  if (dice.of(6) == 0) {
+    bring_to_touch(scene);
+  }
+  return scene;
+}
+
+Drop<double> run(const Scene& scene) {
+  return scene.board ? drop(scene.stone, scene.body, scene.start, *scene.board, scene.settings)
+                     : drop(scene.stone, scene.body, scene.start, scene.settings);
+}
+
+std::string describe(const Scene& scene) {
+  const Stone<double>& stone = scene.stone;
+  const DropSettings<double>& set = scene.settings;
+  const State<double>& start = scene.start;
+  const Vec3<double> w_B = formula::angular_velocity_B(start, scene.body);
+  return fmt::format(
+      "h/w = {:.6g}, b/h = {:.6g}; e = {:.6g}, μ = {:.6g}, δ = {:.3g} m, κ = {:.3g} m; {}, {}; damping {:.3g}/s; "
+      "tolerance {:.2g}; horizon {:.3g} s; on the {}; p = ({:.6g}, {:.6g}, {:.6g}), v = ({:.3g}, {:.3g}, {:.3g}), "
+      "q = ({:.6g}, {:.6g}, {:.6g}, {:.6g}), ω_B = ({:.4g}, {:.4g}, {:.4g}), g = ({:.3g}, {:.3g}, {:.3g})",
+      stone.height / outer_width(stone), stone.bevel / stone.height, set.restitution, set.friction,
+      set.rolling_resistance, set.pivot_radius, to_string(set.law), to_string(set.friction_model), set.damping,
+      set.tolerance, set.horizon, scene.board ? "board" : "plane", start.p_WB.x(), start.p_WB.y(), start.p_WB.z(),
+      start.v_WB.x(), start.v_WB.y(), start.v_WB.z(), start.q_WB.w(), start.q_WB.x(), start.q_WB.y(), start.q_WB.z(),
+      w_B.x(), w_B.y(), w_B.z(), set.gravity.x(), set.gravity.y(), set.gravity.z());
+}
+
+}  // namespace goishi::verify::stress

@@ -1,0 +1,34 @@
+#pragma once
+/// \file
+/// Drops for the stress test: any stone, pose, spin, law and material, with the awkward ones on purpose.
+
+#include <cstdint>
+#include <goishi/drop/drop.hpp>
+#include <optional>
+#include <string>
+
+namespace goishi::verify::stress {
+
+struct Scene {
+  Stone<double> stone;
+  RigidBody<double> body;
+  State<double> start;
+  std::optional<Board<double>> board;  // else the plane z = 0
+  DropSettings<double> settings;
+};
+
+/// The scene of a number: the same for a seed and an index, whatever else runs.
+///
+/// Stones  22 mm wide: ordinary, thin to h/w = 1e-4, nearly round, balls; sharp, and with bevels from 1e-6 of the height up.
+/// Starts  in the air, touching, flat, on the rim; over the surface, its edges and corners, beside the board.
+/// Spins   none, about the axis, any up to 100 rad/s, by decades up to 1000 rad/s.
+/// Laws    every law of impact and friction; e and μ over their whole ranges with 0, 1, nearly 1, infinity; resistance
+///         none, of one kind, of both; slopes; damping; tolerances 1e-9 … 1e-5.
+[[nodiscard]] Scene draw_scene(std::uint64_t seed, std::uint64_t index);
+
+[[nodiscard]] Drop<double> run(const Scene& scene);
+
+/// What was drawn, in a line.
+[[nodiscard]] std::string describe(const Scene& scene);
+
+}  // namespace goishi::verify::stress

@@ -1,0 +1,49 @@
+#pragma once
+/// \file
+/// Many random drops, each judged by what every drop has to keep.
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "verify/stress/judge.hpp"
+
+namespace goishi::verify::stress {
+
+struct Order {
+  std::uint64_t seed = 1;
+  std::uint64_t samples = 1000;
+  double seconds = 0.0;  // stop after so long; 0: never
+  unsigned threads = 1;
+};
+
+struct Failure {
+  std::uint64_t index;
+  std::string fault;
+};
+
+struct Tally {
+  std::uint64_t samples = 0;
+  std::array<std::uint64_t, 8> by_status = {};  // of DropStatus
+  std::uint64_t lower_order = 0;
+  double energy_rise = 0.0;
+  double depth = 0.0;    // [width]
+  double slowest = 0.0;  // [s]
+  std::uint64_t slowest_index = 0;
+  double seconds = 0.0;
+  std::vector<Failure> failures;
+};
+
+/// A drop that runs for longer than this is a failure of its own: the test names it and stops the program.
+inline constexpr double longest_drop = 60.0;  // [s]
+
+/// The drop of an index, judged; what it throws is a fault.
+[[nodiscard]] Verdict judge_index(std::uint64_t seed, std::uint64_t index);
+
+/// Drops 0 … samples − 1. `progress` is told how many are done; `overdue` the index of a drop that does not end.
+[[nodiscard]] Tally run_stress(const Order& order, const std::function<void(std::uint64_t)>& progress,
+                               const std::function<void(std::uint64_t)>& overdue);
+
+}  // namespace goishi::verify::stress

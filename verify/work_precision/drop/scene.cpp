@@ -1,0 +1,37 @@
+#include "verify/work_precision/drop/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "verify/samples.hpp"
+
+namespace goishi::verify::bench::drops {
+
+Scene make_scene(std::size_t count) {
+  constexpr double from = 0.05;           // [m] height of the centre
+  constexpr double greatest_spin = 30.0;  // [rad/s]
+  const Stone<double> stone = make_stone(0.022, 0.0092, 0.001);
+  const MassProperties<double> mass = mass_properties(stone, Density{2800.0});
+  Scene scene{.stone = stone, .mass = mass, .body = make_rigid_body(mass), .starts = {}};
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> spin(0.0, greatest_spin);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Quat<double> q = draw_attitude(random);
+    const Vec3<double> w_B = spin(random) * formula::symmetry_axis(draw_attitude(random));
+    scene.starts.push_back({.p_WB = {0.0, 0.0, from},
+                            .q_WB = q,
+                            .v_WB = {0.0, 0.0, 0.0},
+                            .L_W = formula::angular_momentum_W(q, scene.body, w_B)});
+  }
+  return scene;
+}
+
+double quantile(std::vector<double> values, double part) {
+  std::sort(values.begin(), values.end());
+  const double at = part * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(at);
+  const std::size_t above = std::min(below + 1, values.size() - 1);
+  return values[below] + (at - std::floor(at)) * (values[above] - values[below]);
+}
+
+}  // namespace goishi::verify::bench::drops
