@@ -80,7 +80,7 @@ template <Ordered T>
   }
   // Over the middle of the surface the flight has one axis to ask.
   if (T(0) < run.state.p_WB.z() && stays_inside(run, path, T(0))) {
-    const TimeOfImpact<T> hit = time_of_impact(run.stone, path, Plane<T>{}, left);
+    TimeOfImpact<T> hit = time_of_impact(run.stone, path, Plane<T>{}, left);
     if (hit.status == ImpactStatus::hit && stays_inside(run, path, hit.time)) {
       return hit;
     }
