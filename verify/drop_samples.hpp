@@ -9,10 +9,12 @@
 #include <limits>
 #include <numbers>
 
+#include "verify/claim.hpp"
 #include "verify/oracles/geometry.hpp"
 #include "verify/oracles/profile.hpp"
 #include "verify/oracles/spin.hpp"
 #include "verify/oracles/wobble.hpp"
+#include "verify/samples.hpp"
 
 namespace goishi::verify {
 
@@ -152,6 +154,25 @@ struct Witnessed {
     }
   }
   return nullptr;
+}
+
+/// From 5 cm, in any attitude, spinning with up to 30 rad/s.
+[[nodiscard]] inline State<double> draw_fall(Context& context, const RigidBody<double>& body) {
+  State<double> state;
+  state.p_WB = {0.0, 0.0, 0.05};
+  state.v_WB = Vec3<double>::Zero();
+  state.q_WB = draw_attitude(context.random());
+  state.L_W = formula::angular_momentum_W(
+      state.q_WB, body,
+      Vec3<double>(context.uniform(0.0, 30.0) * (draw_attitude(context.random()) * Vec3<double>::UnitZ())));
+  return state;
+}
+
+/// Under the usual settings.
+[[nodiscard]] inline Drop<double> dropped(const Pebble& pebble, const State<double>& start, double tolerance) {
+  DropSettings<double> settings;
+  settings.tolerance = tolerance;
+  return drop(pebble.stone, pebble.body, start, settings);
 }
 
 }  // namespace goishi::verify

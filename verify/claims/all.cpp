@@ -43,7 +43,8 @@ std::vector<Claim> all_claims() {
       {"claims/drop_spin.cpp", drop_spin_claims},
       {"claims/drop_sliding.cpp", drop_sliding_claims},
       {"claims/drop_odeint.cpp", drop_odeint_claims},
-      {"claims/drop_whole.cpp", drop_whole_claims}};
+      {"claims/drop_whole.cpp", drop_whole_claims},
+      {"claims/drop_picture.cpp", drop_picture_claims}};
   for (const auto& [source, subject] : subjects) {
     std::vector<Claim> claims = subject();
     for (Claim& claim : claims) {

@@ -37,6 +37,7 @@ namespace goishi::verify {
 [[nodiscard]] std::vector<Claim> published_impact_claims();  // PUBLISHED: the talk's impacts
 [[nodiscard]] std::vector<Claim> published_drop_claims();    // PUBLISHED: the talk's loop on whole drops
 [[nodiscard]] std::vector<Claim> drop_odeint_claims();       // DROP: contact phases against Lagrange's equations
+[[nodiscard]] std::vector<Claim> drop_picture_claims();      // DROP: a drop's height, tilt and energy
 [[nodiscard]] std::vector<Claim> drop_whole_claims();        // DROP: every link of a drop, its end, random drops
 [[nodiscard]] std::vector<Claim> drop_bounces_claims();      // DROP: flat and elastic bounces, oblique impacts
 [[nodiscard]] std::vector<Claim> drop_rocking_claims();      // DROP: periods, decay by resistance and by damping
