@@ -138,6 +138,16 @@ std::size_t columns(std::string_view text) {
   return count;
 }
 
+std::string padded(std::string_view text, std::size_t width) {
+  const std::size_t wide = columns(text);
+  return std::string(text) + std::string(width > wide ? width - wide : 0, ' ');
+}
+
+std::string right_aligned(std::string_view text, std::size_t width) {
+  const std::size_t wide = columns(text);
+  return std::string(width > wide ? width - wide : 0, ' ') + std::string(text);
+}
+
 std::vector<std::string> wrapped(std::string_view text, std::size_t width) {
   std::vector<std::string> lines(1);
   while (!text.empty()) {

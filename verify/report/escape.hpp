@@ -24,6 +24,10 @@ namespace goishi::verify {
 /// Columns on a terminal: East Asian wide characters count two, combining marks none.
 [[nodiscard]] std::size_t columns(std::string_view text);
 
+/// As wide as its text, and no less than `width` columns: filled up with spaces behind it, or before it.
+[[nodiscard]] std::string padded(std::string_view text, std::size_t width);
+[[nodiscard]] std::string right_aligned(std::string_view text, std::size_t width);
+
 /// Lines of at most `width` columns, broken at spaces; a longer word stays whole. At least one line.
 [[nodiscard]] std::vector<std::string> wrapped(std::string_view text, std::size_t width);
 

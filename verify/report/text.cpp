@@ -14,12 +14,6 @@ namespace {
 constexpr std::size_t terminal = 120;
 constexpr std::size_t least_for_words = 40;
 
-std::string padded(std::string text, std::size_t width) {
-  const std::size_t used = columns(text);
-  text.append(used < width ? width - used : 0, ' ');
-  return text;
-}
-
 /// `head`, then the words in the columns beside it.
 std::string hanging(const std::string& head, std::string_view words) {
   const std::size_t indent = columns(head);

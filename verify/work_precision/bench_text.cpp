@@ -13,17 +13,6 @@ namespace goishi::verify::bench {
 
 namespace {
 
-/// As wide as its text, and no less than `width` columns.
-std::string padded(std::string_view text, std::size_t width) {
-  const std::size_t wide = columns(text);
-  return std::string(text) + std::string(width > wide ? width - wide : 0, ' ');
-}
-
-std::string right_aligned(std::string_view text, std::size_t width) {
-  const std::size_t wide = columns(text);
-  return std::string(width > wide ? width - wide : 0, ' ') + std::string(text);
-}
-
 constexpr std::size_t name_width = 24;
 constexpr std::size_t cost_width = 10;
 

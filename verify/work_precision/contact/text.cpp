@@ -11,16 +11,6 @@ namespace {
 constexpr std::size_t name_width = 42;
 constexpr std::size_t number_width = 12;
 
-std::string padded(std::string_view text, std::size_t width) {
-  const std::size_t wide = columns(text);
-  return std::string(text) + std::string(width > wide ? width - wide : 0, ' ');
-}
-
-std::string right_aligned(std::string_view text, std::size_t width) {
-  const std::size_t wide = columns(text);
-  return std::string(width > wide ? width - wide : 0, ' ') + std::string(text);
-}
-
 std::string text_table(const Race& race) {
   std::string out = fmt::format("\n{}: {}\n  right answer: {}\n  {}", race.problem->name, race.problem->title,
                                 race.witness, padded("", name_width));

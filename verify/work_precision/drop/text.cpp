@@ -8,16 +8,6 @@ namespace goishi::verify::bench::drops {
 
 namespace {
 
-std::string padded(std::string_view text, std::size_t width) {
-  const std::size_t wide = columns(text);
-  return std::string(text) + std::string(width > wide ? width - wide : 0, ' ');
-}
-
-std::string right_aligned(std::string_view text, std::size_t width) {
-  const std::size_t wide = columns(text);
-  return std::string(width > wide ? width - wide : 0, ' ') + std::string(text);
-}
-
 constexpr std::size_t number_width = 12;
 
 std::string level_table(const Speed& speed) {
