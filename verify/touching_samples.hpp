@@ -140,6 +140,14 @@ inline void see_stretch(const Context& context, const Subject& subject, const Ev
   }
 }
 
+/// A drop that gave up has stretches that nobody sees.
+inline void see_status(const Subject& subject, const Drop<double>& drop, Worst& worst) {
+  worst.see(drop.status == DropStatus::rest || drop.status == DropStatus::moving ? 0.0 : 1.0, [&] {
+    return fmt::format("{}: the drop ends as '{}' after {} s", describe(subject.specimen), to_string(drop.status),
+                       drop.time);
+  });
+}
+
 /// Whether the contact goes on after an event of this kind.
 [[nodiscard]] inline bool stays(EventKind kind) {
   return kind == EventKind::contact || kind == EventKind::stick || kind == EventKind::slip ||

@@ -36,7 +36,9 @@ Measurement measure_contact(Context& context) {
     Subject subject = draw_subject(context, i);
     subject.settings.horizon = context.uniform(0.02, 0.1);
     const State<double> start = draw_state(context, subject, i);
-    see_phases(context, subject, drop(subject.specimen.stone, subject.body, start, subject.settings), worst, located);
+    const Drop<double> drop = goishi::drop(subject.specimen.stone, subject.body, start, subject.settings);
+    see_status(subject, drop, worst);
+    see_phases(context, subject, drop, worst, located);
   }
   Measurement result = worst.measurement();
   result.figures = {{"contact phases", describe(located)}};

@@ -89,6 +89,7 @@ Measurement measure_links(Context& context) {
         ++flights;
       }
     }
+    see_status(subject, drop, worst);
     see_stretches(context, subject, drop, worst, located);
   }
   Measurement result = worst.measurement();
