@@ -142,6 +142,25 @@ TEST(Drop, FallsOffTheBoardOntoTheFloor) {
   EXPECT_NEAR(separation(thrown.stone, Pose<double>{drop.state.p_WB, drop.state.q_WB}, floor).gap, 0.0, 1e-15);
 }
 
+TEST(Drop, DoesNotSumBouncesBeyondTheEdge) {
+  const Stone<double> ball = make_stone(0.022, 0.022);
+  const RigidBody<double> body = make_rigid_body(mass_properties(ball, Density{2800.0}));
+  const Board<double> board = make_board<double>();
+  const auto rolling = [&](double from_edge) {
+    const double speed = 0.05;
+    State<double> start{.p_WB = {board.half_width - from_edge, 0.0, 0.011 + 1e-5},
+                        .q_WB = Quat<double>::Identity(),
+                        .v_WB = {speed, 0.0, 0.0},
+                        .L_W = {0.0, body.moments.y() * speed / 0.011, 0.0}};
+    DropSettings<double> settings;
+    settings.rolling_resistance = settings.pivot_radius = 0.0;
+    settings.horizon = 0.02;
+    return goishi::drop(ball, body, start, board, settings);
+  };
+  EXPECT_EQ(count(rolling(1e-2), EventKind::bounces_close), 1);
+  EXPECT_EQ(count(rolling(1e-4), EventKind::bounces_close), 0);
+}
+
 TEST(Drop, FliesOnWithoutGravity) {
   Thrown thrown = tumbling();
   DropSettings<double> settings;
