@@ -13,7 +13,12 @@
 #include <limits>
 #include <string>
 
+#include "tests/expectations.hpp"
+
 namespace goishi::contact_test {
+
+using test::expect_invalid;
+using test::expect_near;
 
 inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -69,33 +74,6 @@ template <class T>
   using std::sqrt;
   return {.p_WB = vec<T>(x, y, z),
           .q_WB = Quat<T>(sqrt((T(1) + cosine) / T(2)), T(0), sqrt((T(1) - cosine) / T(2)), T(0))};
-}
-
-/// How near to `expected`, component by component.
-template <class T>
-void expect_near(const Vec3<T>& actual, const Vec3<T>& expected, const T& error) {
-  for (int i = 0; i < 3; ++i) {
-    EXPECT_NEAR(static_cast<double>(actual[i] - expected[i]), 0.0, static_cast<double>(error))
-        << "component " << i << " of " << actual.transpose() << ", not " << expected.transpose();
-  }
-}
-
-template <class T>
-void expect_near(const T& actual, const T& expected, const T& error) {
-  EXPECT_NEAR(static_cast<double>(actual - expected), 0.0, static_cast<double>(error))
-      << actual << ", not " << expected;
-}
-
-/// Expects InvalidArgument about this argument, in one line.
-inline void expect_invalid(const std::string& argument, const std::function<void()>& call) {
-  try {
-    call();
-    ADD_FAILURE() << argument << ": nothing was thrown";
-  } catch (const InvalidArgument& error) {
-    EXPECT_EQ(error.argument(), argument) << error.what();
-    EXPECT_FALSE(error.value().empty());
-    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
-  }
 }
 
 /// Calls with each component of a good vector replaced by NaN, ∞ and −∞, and with ∞ − ∞.

@@ -9,23 +9,14 @@
 #include <string>
 #include <vector>
 
+#include "tests/expectations.hpp"
 #include "tests/motion_test.hpp"
 
 namespace goishi::motion_test {
 
 namespace {
 
-/// Expects InvalidArgument about this argument.
-void expect_invalid(const std::string& argument, const std::function<void()>& call) {
-  try {
-    call();
-    ADD_FAILURE() << argument << ": nothing was thrown";
-  } catch (const InvalidArgument& error) {
-    EXPECT_EQ(error.argument(), argument) << error.what();
-    EXPECT_FALSE(error.value().empty());
-    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
-  }
-}
+using test::expect_invalid;
 
 const Vec3<double> gravity = gravity_W<double>();
 

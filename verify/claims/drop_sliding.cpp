@@ -118,7 +118,7 @@ Measurement measure_slope(Context& context) {
   return worst.measurement();
 }
 
-// --- DROP-24
+// --- DROP-22
 
 /// Towards +x by the angle β.
 Vec3<double> leaning_gravity(double slope) {
@@ -233,7 +233,7 @@ std::vector<Claim> drop_sliding_claims() {
                    {"drop/contact_motion.hpp", "T(-(gravity.x() + along",
                     "T(-(T(1000001) / T(1000000) * gravity.x() + along"}},
        .measure = measure_slope},
-      {.id = "DROP-24",
+      {.id = "DROP-22",
        .statement =
            "A stone at rest stays when gravity leans by less than atan μ and atan 2δ/h, a millionth less, and moves "
            "when it leans a millionth more: it slides with g (sin β − μ cos β) where resistance keeps it from turning, "

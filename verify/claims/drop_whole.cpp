@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "verify/claims/claims.hpp"
+#include "verify/quantile.hpp"
 #include "verify/stress/stress.hpp"
 #include "verify/touching_samples.hpp"
 
@@ -99,11 +100,6 @@ Measurement measure_links(Context& context) {
 }
 
 // --- where it ends
-
-double quantile(std::vector<double> values, double share) {
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
-}
 
 /// How much five elastic, frictionless bounces magnify a turn of the start by 1e-9 rad: the angle between the axes then.
 double magnified_by_five_bounces(const Pebble& pebble, const State<double>& start) {

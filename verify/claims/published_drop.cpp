@@ -10,6 +10,7 @@
 #include "verify/claims/claims.hpp"
 #include "verify/drop_samples.hpp"
 #include "verify/oracles/published_loop.hpp"
+#include "verify/quantile.hpp"
 #include "verify/samples.hpp"
 
 namespace goishi::verify {
@@ -63,16 +64,6 @@ struct Question {
   State<double> right;
 };
 
-/// NaN of nothing.
-double median(std::vector<double> values) {
-  if (values.empty()) {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Medians over all questions, by the rate of steps.
 struct Errors {
   std::vector<double> rates;     // [1/s]
@@ -113,8 +104,8 @@ Errors errors_of(const Context& context, const PublishedStone& stone, PublishedT
       place.push_back((context.produced(right.p_WB) - Vec3<double>(end.p[0], end.p[1], end.p[2])).norm());
       attitude.push_back(angle_between(right.q_WB, end.q));
     }
-    result.place.push_back(median(place));
-    result.attitude.push_back(median(attitude));
+    result.place.push_back(quantile(place, 0.5));
+    result.attitude.push_back(quantile(attitude, 0.5));
   }
   return result;
 }
@@ -246,7 +237,7 @@ Left left_after(Context& context, const Pebble& pebble, const PublishedStone& st
     least = std::min(least, (published_energy(stone, rules, end) - flat) /
                                 (published_energy(stone, rules, one.start.published) - flat));
   }
-  return {.away = median(away), .energy = least};
+  return {.away = quantile(away, 0.5), .energy = least};
 }
 
 Measurement measure_whole_drops(Context& context) {

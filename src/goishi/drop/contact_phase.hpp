@@ -4,6 +4,7 @@
 /// where friction, the feature in contact or the sign of the normal force does; each change is located and recorded.
 
 #include <goishi/drop/contact_state.hpp>
+#include <goishi/drop/gliding.hpp>
 #include <goishi/drop/integrator.hpp>
 #include <goishi/drop/locked.hpp>
 #include <goishi/drop/rolling.hpp>
@@ -126,7 +127,7 @@ class ContactPhase {
       const SlipRate<T> rate = slip_towards(now, found);
       // At the cone's edge the slip has no rate yet, but for round-off.
       const T nothing = T(1e-6) * body_.strength;
-      if (Gliding<T>::jam_margin(now.W.zz) < rate.denominator && -nothing < rate.along && rate.across < nothing &&
+      if (jam_margin(now.W.zz) < rate.denominator && -nothing < rate.along && rate.across < nothing &&
           -nothing < rate.across) {
         phi = found;
         return true;

@@ -65,9 +65,6 @@ class Gliding {
   static constexpr std::array<Guard, guard_count> names = {Guard::feature, Guard::lift_off, Guard::none,
                                                            Guard::none,    Guard::jam,      Guard::support};
 
-  /// The least of the denominator that still counts as solvable.
-  [[nodiscard]] static T jam_margin(const T& W_zz) { return T(1e-6) * W_zz; }
-
   void carry_from(const Vec3<T>& origin) { origin_ = origin; }
 
   Kinetics<T> now;

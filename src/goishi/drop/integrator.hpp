@@ -58,7 +58,8 @@ class ContactIntegrator {
       result = locate(equations, rate, old, now, h, trial);
       ++run_.result.counters.steps_accepted;
       contact_.y = trial.y;
-      rate = trial.rate;
+      // Locating tries other steps: what the equations saw last is then not where it ends.
+      rate = result == Guard::none ? trial.rate : equations(trial.y);
       contact_.normalize();
       balance.restore(equations);
       old = now;

@@ -70,6 +70,12 @@ template <Ordered T>
   return k;
 }
 
+/// The least denominator of a normal force that still counts as solvable: below, friction jams (Painlevé).
+template <Ordered T>
+[[nodiscard]] T jam_margin(const T& W_zz) {
+  return T(1e-6) * W_zz;
+}
+
 /// How strongly friction acts on the slip, at most: about N W, per friction per normal force   [m/s²].
 template <Ordered T>
 [[nodiscard]] T stiffness_of(const ContactBody<T>& body) {

@@ -55,7 +55,7 @@ struct DropSettings {
   /// Of a step of the contact phase, relative to the stone's own scales.
   T tolerance = T(1e-9);
   /// [m/s] Approach below which bounces are closed by a plastic impulse. Where a stone dropped from 5 cm comes to rest
-  /// depends on it by 3e-9 m in the median; by 3e-6 m at 1e-3 m/s (measured 2026-11-22).
+  /// depends on it by 1.6e-9 m in the median; by 1.4e-6 m at 1e-3 m/s (100 drops against 1e-8 m/s, measured 2026-11-22).
   T contact_speed = T(1e-6);
   /// [m/s] Leaving speed below which the bounces of a flat drop are summed, exactly. Higher is as right, and shows
   /// fewer.

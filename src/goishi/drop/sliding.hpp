@@ -5,7 +5,8 @@
 /// implicitly, all others explicitly, so that micro-slip costs no more steps than slip.
 
 #include <goishi/drop/dormand_prince.hpp>
-#include <goishi/drop/gliding.hpp>
+#include <goishi/drop/kinetics.hpp>
+#include <goishi/drop/rolling.hpp>
 
 namespace goishi::detail {
 
@@ -47,7 +48,7 @@ class Sliding {
   }
   [[nodiscard]] Guards<T> guards() const {
     return {{feature_guard(body_.stone, feature_, now.u), T(now.need.z() / body_.strength), T(1), sigma_,
-             T(slip_.denominator - Gliding<T>::jam_margin(now.W.zz)), T(1)}};
+             T(slip_.denominator - jam_margin(now.W.zz)), T(1)}};
   }
 
   /// Whether the last step met Painlevé's case.
@@ -107,7 +108,7 @@ class Sliding {
     c_ = scalar::cos(phi);
     s_ = scalar::sin(phi);
     slip_ = formula::slip_rate(now.W, now.brake, now.need, body_.friction, c_, s_);
-    jams_ = jams_ || !(Gliding<T>::jam_margin(now.W.zz) < slip_.denominator);
+    jams_ = jams_ || !(jam_margin(now.W.zz) < slip_.denominator);
   }
 
   [[nodiscard]] Variables<T> all_rates(const Variables<T>& y) {

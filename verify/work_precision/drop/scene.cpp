@@ -1,7 +1,6 @@
 #include "verify/work_precision/drop/scene.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <random>
 
 #include "verify/samples.hpp"
 
@@ -24,14 +23,6 @@ Scene make_scene(std::size_t count) {
                             .L_W = formula::angular_momentum_W(q, scene.body, w_B)});
   }
   return scene;
-}
-
-double quantile(std::vector<double> values, double part) {
-  std::sort(values.begin(), values.end());
-  const double at = part * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<std::size_t>(at);
-  const std::size_t above = std::min(below + 1, values.size() - 1);
-  return values[below] + (at - std::floor(at)) * (values[above] - values[below]);
 }
 
 }  // namespace goishi::verify::bench::drops

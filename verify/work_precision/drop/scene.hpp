@@ -18,7 +18,4 @@ struct Scene {
 
 [[nodiscard]] Scene make_scene(std::size_t count);
 
-/// Linear between the sorted values; `part` from 0 to 1.
-[[nodiscard]] double quantile(std::vector<double> values, double part);
-
 }  // namespace goishi::verify::bench::drops

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <goishi/impact/laws.hpp>
 
+#include "verify/quantile.hpp"
 #include "verify/report/number.hpp"
 #include "verify/work_precision/bar.hpp"
 #include "verify/work_precision/drop/speed.hpp"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <goishi/impact/laws.hpp>
 
+#include "verify/quantile.hpp"
 #include "verify/samples.hpp"
 
 namespace goishi::verify::bench::drops {
