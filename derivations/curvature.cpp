@@ -7,7 +7,7 @@
 #include <goishi/shape/stone.hpp>
 #include <goishi/shape/surface.hpp>
 
-#include "enclosure.hpp"
+#include "curvature_example.hpp"
 #include "profile.hpp"
 #include "proof.hpp"
 #include "torus.hpp"
@@ -229,65 +229,12 @@ same width, height and joint comes back:)");
   document.prove_limit(R"($(r - \rho_e)\kappa\cos\varphi_m \to d$)", limit.offset, torus.offset);
 }
 
-ex degrees(const ex& n) {
-  return n * Pi / 180;
-}
-
-void example(Document& document) {
-  document.section("Size 33");
-  const ex w = 22, h = ex(92) / 10, b = 1;
-  const ex d = formula::measured_sphere_offset<ex>(w, h, b);
-  const goishi::Stone<ex> two_arcs = formula::bevelled_stone<ex>(formula::generating_width<ex>(h, d), h, b, d);
-  document.text(
-      R"($w = 22$ mm, $h = 9.2$ mm, $\varphi_m = 41.66°$, $\delta = 5°$: the transition is about the joint of the
-stone that is measured so with a bevel of 1 mm. Lengths in mm. Every number is enclosed by fractions: sine and cosine
-by their series, $\pi$ by Machin's formula.)");
-  const auto made = [&](const ex& middle, const ex& delta) {
-    return continuous(w, h, sin(degrees(delta)) / degrees(delta), cos(degrees(middle)), sin(degrees(middle)));
-  };
-  const ex joint = ex(4166) / 100;
-  const Continuous stone = made(joint, 5);
-  const auto sine_at = [&](const ex& angle) { return sin(degrees(angle)); };
-  const ex half_digit = ex(1) / 200;
-  document.check("that joint is at $41.66°$, rounded",
-                 positive(two_arcs.joint_cosine - sine_at(joint - half_digit)) &&
-                     positive(sine_at(joint + half_digit) - two_arcs.joint_cosine));
-  const auto holds = [&](const std::string& name, const ex& value, int places, const std::string& expected) {
-    document.check("$" + name + " = " + expected + "$", decimals(value, places) == expected);
-  };
-  holds("r", stone.sphere_radius, 3, "16.247");
-  holds(R"(\rho_e)", stone.edge_radius, 3, "0.638");
-  document.text(
-      "The curvature along the three profiles, in 1/mm (the sharp one's rim is an edge, without a curvature):");
-  const auto curved = [](const ex& radius) { return decimals(1 / radius, 5); };
-  const std::string lens = curved(formula::sphere_radius<ex>(w, h));
-  const std::string cap = curved(two_arcs.sphere_radius), bevel = curved(two_arcs.bevel_minor_radius);
-  const std::string flat = curved(stone.sphere_radius), edge = curved(stone.edge_radius);
-  const ex middle = (stone.sphere_radius + stone.edge_radius) / 2;
-  document.text(R"(| normal at | sharp | bevelled | continuous |
-|---|---|---|---|
-| $0$ (pole) to $\varphi_a$ | )" +
-                lens + " | " + cap + " | " + flat + R"( |
-| $\varphi_m$ | )" +
-                lens + " | jumps: " + cap + ", " + bevel + " | " + curved(middle) + R"( |
-| $\varphi_b$ to $90°$ (rim) | edge | )" +
-                bevel + " | " + edge + " |");
-  document.check("the curvature of two arcs jumps by $(2d + b)/b = 24.22$ at the joint",
-                 decimals(two_arcs.sphere_radius / two_arcs.bevel_minor_radius, 2) == "24.22" &&
-                     decimals((2 * d + b) / b, 2) == "24.22");
-
-  document.text("Neither later nor wider transitions need exist:");
-  const auto refused = [&](const std::string& angles, const ex& at, const ex& delta) {
-    document.check("$" + angles + R"($: $\rho_e < 0$)", positive(-made(at, delta).edge_radius));
-  };
-  refused(R"(\varphi_m = 45.4°, \delta = 5°)", ex(454) / 10, 5);
-  refused(R"(\varphi_m = 41.66°, \delta = 25°)", joint, 25);
-}
-
 }  // namespace
 
-int main() {
-  return derive("The curvature of the profile", [](Document& document) {
+/// The argument is the file that the picture goes to; without it none is drawn.
+int main(int count, char** arguments) {
+  const std::string picture = count > 1 ? arguments[1] : "";
+  return derive("The curvature of the profile", [&](Document& document) {
     const Torus torus;
     const Normal n;
     const Transition at;
@@ -296,6 +243,6 @@ int main() {
     equations(document, n, at);
     support(document, n, at);
     domain(document, torus, n);
-    example(document);
+    example(document, picture);
   });
 }

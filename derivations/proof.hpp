@@ -69,7 +69,9 @@ class Document {
     if (!proved) {
       verdict << "**NOT PROVED**" << trouble;
     } else if (passed == 0) {
-      verdict << "**Proved**; fails for every altered result";
+      verdict << "proved; " << controls.size()
+              << (controls.size() == 1 ? " altered result fails" : " altered results fail");
+      refused_ += controls.size();
     } else {
       verdict << "**" << passed << " WRONG RESULTS PASS TOO**";
     }
@@ -88,17 +90,18 @@ class Document {
   /// Prints that two expressions are *not* the same.
   void refute(const std::string& text, const ex& left, const ex& right) {
     const bool different = differ(sample(left), sample(right));
-    conclude(text, different ? "**Proved** that they differ" : "**NOT REFUTED**", different);
+    conclude(text, different ? "proved to differ" : "**NOT REFUTED**", different);
   }
 
   /// Prints a decided fact about numbers.
-  void check(const std::string& text, bool holds) { conclude(text, holds ? "**Holds**" : "**DOES NOT HOLD**", holds); }
+  void check(const std::string& text, bool holds) { conclude(text, holds ? "holds" : "**DOES NOT HOLD**", holds); }
 
   /// Prints the summary. 0 if every proof held and every control failed, else 1.
   [[nodiscard]] int verdict() const {
     const bool good = failed_ == 0 && 0 < statements_;
     std::cout << "\n---\n\n"
-              << statements_ << " statements, " << (good ? "all proved.\n" : std::to_string(failed_) + " FAILED.\n");
+              << statements_ << " statements, " << (good ? "all proved; " : std::to_string(failed_) + " FAILED; ")
+              << refused_ << " altered results fail.\n";
     return good ? 0 : 1;
   }
 
@@ -111,6 +114,7 @@ class Document {
 
   int statements_ = 0;
   int failed_ = 0;
+  std::size_t refused_ = 0;
 };
 
 /// A derivation: what main returns. A shipped formula so wrong that it cannot even be evaluated (0/0) is not proved either.

@@ -2,13 +2,12 @@
 /// One step of each scheme: what it keeps, how fast its energy grows, and its order.
 
 #include <cstddef>
-#include <goishi/motion/invariants.hpp>
 #include <goishi/motion/step_formulas.hpp>
 #include <goishi/rotation.hpp>
 #include <string>
 #include <vector>
 
-#include "moving.hpp"
+#include "euler.hpp"
 #include "order.hpp"
 #include "proof.hpp"
 #include "relations.hpp"
@@ -63,120 +62,6 @@ named; that the next coefficient differs is shown at one example.)");
                   .result = components(momentum(rates)),
                   .witness = components(Vector(start.l.cross(start.w()))),
                   .controls = scaled(components(momentum(rates)))});
-}
-
-void euler(Document& document) {
-  document.section("Explicit and exponential Euler");
-  document.text(
-      R"(Both turn about the angular velocity at the start, $\omega_W = q \omega_B \bar q$, $\omega_B = \Omega n$.)");
-  document.shipped("formula::raw_euler_attitude", "motion/step_formulas.hpp");
-  const Turn turn;
-  const Relations& relations = turn.relations;
-  const possymbol dt("dt", R"(\Delta t)");
-  const Quaternion raw = formula::raw_euler_attitude<ex>(turn.q, turn.w_W, dt);
-  document.prove(relations({.text = R"($|q'|^2 = 1 + (\Omega\Delta t/2)^2$)",
-                            .result = squared_norm(raw),
-                            .witness = 1 + pow(turn.rate * dt / 2, 2),
-                            .controls = scaled(squared_norm(raw))}));
-  document.text(
-      R"(With $\Omega\Delta t/2 = \tan\frac\varphi2 = S/C$ that is $1/C^2$, so $C q'$ is the normalised step:)");
-  const exmap by_tangent = {{dt, 2 * turn.S / (turn.C * turn.rate)}};
-  const ex step = components(raw);
-  document.prove(relations({.text = R"(it is $q\,(C, S n)$, a turn by $\varphi = 2\arctan\frac{\Omega\Delta t}2$)",
-                            .result = step,
-                            .witness = components(turn.end),
-                            .view = [&](const ex& e) { return turn.C * e.subs(by_tangent); },
-                            .controls = scaled(step)}));
-  prove_order(document, "explicit Euler, normalised", 1, [](const Start& s) {
-    return normalised(
-        formula::raw_euler_attitude<Series>(constant_series(s.q), constant_series(s.w_W()), Series::step()));
-  });
-
-  document.shipped("formula::exponential_euler_attitude", "motion/step_formulas.hpp");
-  const Relations at_once = Relations(relations).angle(turn.rate * dt / 2, turn.C, turn.S);
-  const ex exponential = components(formula::exponential_euler_attitude<ex>(turn.q, turn.w_W, dt));
-  document.prove(
-      at_once({.text = R"(it is $q\,(C, S n)$ with $C$, $S$ of $\frac{\Omega\Delta t}2$: a turn by $\Omega\Delta t$)",
-               .result = exponential,
-               .witness = components(turn.end),
-               .controls = scaled(exponential)}));
-  document.text(
-      R"(Its angle differs from explicit Euler's, $2\arctan x - 2x = O(\Delta t^3)$ with $x = \Omega\Delta t / 2$, so
-its order is 1 too. The coefficients, of the turn as just proved:)");
-  prove_order(document, "exponential Euler", 1, [](const Start& s) {
-    // (cos |x|, x sin|x|/|x|) with x = ω Δt/2, by the squares of |x|.
-    const SeriesVector x = Series::step() * constant_series(Vector(s.w() / 2));
-    const Series square = x.dot(x);
-    const Series over = Series(1) - square / Series(6);
-    return SeriesQuaternion(constant_series(s.q) *
-                            SeriesQuaternion(Series(1) - square / Series(2), over * x.x(), over * x.y(), over * x.z()));
-  });
-}
-
-void energy(Document& document) {
-  document.section("Their energy never falls");
-  document.text(
-      R"(A symmetric top, $L$ kept, turned by any angle $\varphi$ about its angular velocity. With $l_z = I_a \Omega
-n_3$, the momentum about the axis, and)");
-  document.display(R"(\kappa = (1 - \cos\varphi)\,(1 - n_3^2)\left(\frac{I_t}{I_a} - 1\right), \qquad
-\sigma = \frac1{I_a} - \frac1{I_t} = \frac{I_t - I_a}{I_a I_t})");
-  const Turn turn;
-  const Top top;
-  const Relations& relations = turn.relations;
-  const Vector l = turn.w.cwiseProduct(top.body.moments);
-  const State start = {.p_WB = letters("p"), .q_WB = turn.q, .v_WB = letters("v"), .L_W = relations(turned(turn.q, l))};
-  State end = start;
-  end.q_WB = turn.end;
-  const ex versine = 2 * pow(turn.S, 2);
-  const ex kappa = versine * (1 - pow(turn.n.z(), 2)) * (top.transverse / top.axial - 1);
-  const ex sigma = 1 / top.axial - 1 / top.transverse;
-  const ex gain = formula::rotational_energy(end, top.body) - formula::rotational_energy(start, top.body);
-  document.prove(relations({.text = R"($l_z' = (1 + \kappa)\, l_z$)",
-                            .result = formula::in_body(end.q_WB, end.L_W).z(),
-                            .witness = (1 + kappa) * l.z(),
-                            .controls = {l.z()}}));
-  document.prove(relations({.text = R"($E' - E = \frac12 l_z^2\, \sigma\kappa\, (2 + \kappa)$)",
-                            .result = gain,
-                            .witness = l.z() * l.z() * sigma * kappa * (2 + kappa) / 2,
-                            .controls = scaled(gain)}));
-  document.prove({.text = R"($\sigma\kappa = (1 - \cos\varphi)(1 - n_3^2)(I_t - I_a)^2 / (I_a^2 I_t)$)",
-                  .result = sigma * kappa,
-                  .witness = versine * (1 - pow(turn.n.z(), 2)) * pow(top.transverse - top.axial, 2) /
-                             (pow(top.axial, 2) * top.transverse)});
-  document.text(
-      R"(So $\sigma\kappa \ge 0$, and $2 + \kappa > 0$ since $I_a \le 2 I_t$ makes $\kappa \ge -2 (1 - \frac12)$: at
-no step, whatever its size, does the energy fall, and it grows but for a ball, for $L$ along the axis or across it,
-and for whole turns. With $1 - \cos\varphi = \frac12\Omega^2\Delta t^2 + O(\Delta t^4)$ for both schemes, the gain is
-of second order in a step, of first order in a given time. It ends where $E$ is greatest for its $|L|$: if $I_a >
-I_t$, with the axis across $L$. From a spin about the axis that is a gain of)");
-  const auto energy_of = [&](const Vector& momentum) {
-    State state = start;
-    state.L_W = relations(turned(turn.q, momentum));
-    return formula::rotational_energy(state, top.body);
-  };
-  const ex across = energy_of(Vector(top.length, 0, 0));
-  const ex along = energy_of(Vector(0, 0, top.length));
-  document.prove({.text = R"($I_a / I_t - 1$, relative)",
-                  .result = relations(across) / relations(along) - 1,
-                  .witness = top.axial / top.transverse - 1});
-
-  document.section("The talk's loop keeps another thing");
-  document.text(
-      R"(With $\omega_W$ constant and the quaternion by explicit Euler, $L_W = q (I \bar q \omega_W q) \bar q$ is not
-constant: the scheme converges to a turn with constant $\omega_W$, which is not the motion of a free body unless
-$\omega$ is along a principal axis.)");
-  const Start body;
-  Series::last_power = 1;
-  Series::relations = body.relations;
-  const auto step = normalised(
-      formula::raw_euler_attitude<Series>(constant_series(body.q), constant_series(body.w_W()), Series::step()));
-  const goishi::RigidBody<Series> moments = {.mass = Series(1), .moments = constant_series(body.J.cwiseInverse())};
-  const SeriesVector w_B = formula::in_body(step, constant_series(body.w_W()));
-  const ex change = components(coefficient(formula::angular_momentum_W(step, moments, w_B), 1));
-  document.prove(body.relations({.text = R"($\dot L_W = \omega_W \times L_W$)",
-                                 .result = change,
-                                 .witness = components(body.w_W().cross(body.L_W())),
-                                 .controls = scaled(change)}));
 }
 
 void runge_kutta(Document& document) {
@@ -292,7 +177,8 @@ int main() {
   return derive("Time steppers", [](Document& document) {
     problem(document);
     euler(document);
-    energy(document);
+    energy_growth(document);
+    published_loop(document);
     runge_kutta(document);
     midpoint(document);
     splitting(document);

@@ -210,6 +210,8 @@ TEST(ReportHtml, ShowsEverything) {
                            "data-series=\"sharp\" data-points=\"3\"", "&lt;&amp;&gt;&quot;&#39;"}) {
     EXPECT_TRUE(contains(text, part)) << part;
   }
+  EXPECT_FALSE(contains(text, "derivations"));
+  EXPECT_TRUE(contains(html_report(sample.run, {}, "the derivations.html"), "<a href=\"the derivations.html\">"));
   EXPECT_FALSE(contains(text, "<script"));
   EXPECT_FALSE(contains(text, " src="));
   EXPECT_FALSE(contains(text, "url("));
@@ -224,7 +226,7 @@ TEST(ReportSample, IsWritten) {
   fs::create_directories(folder);
   Sample sample;
   fill(sample);
-  write_file(folder / "report.html", html_report(sample.run));
+  write_file(folder / "report.html", html_report(sample.run, {}, "derivations.html"));
   write_file(folder / "junit.xml", junit_report(sample.run));
   write_file(folder / "empty.html", html_report(Sample().run));
   write_file(folder / "empty.xml", junit_report(Sample().run));

@@ -8,6 +8,7 @@
 #include <goishi/error.hpp>
 #include <thread>
 
+#include "verify/certify/command.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/oracles/quadrature.hpp"
 #include "verify/report/report.hpp"
@@ -116,7 +117,9 @@ void write_report(const Run& run, const std::filesystem::path& folder, bool with
     sections.push_back(bench::page_section(measured));
     write_file(folder / bench::csv_name, bench::csv_report(measured));
   }
-  write_file(folder / "report.html", html_report(run, sections));
+  const std::string derivations = "derivations.html";  // derivations/document writes it
+  write_file(folder / "report.html",
+             html_report(run, sections, std::filesystem::exists(folder / derivations) ? derivations : ""));
   write_file(folder / "report.json", json_report(run));
   write_file(folder / "junit.xml", junit_report(run));
 }
@@ -169,7 +172,9 @@ int main(int argc, char** argv) {
   define(app, options);
   stress::Options stress_options;
   const CLI::App* const bench_command = bench::define_bench(app, bench_options);
+  certify::Options certify_options;
   const CLI::App* const stress_command = stress::define_stress(app, stress_options);
+  const CLI::App* const certify_command = certify::define_certify(app, certify_options);
   try {
     app.parse(argc, argv);
     if (bench_command->parsed()) {
@@ -178,6 +183,9 @@ int main(int argc, char** argv) {
     }
     if (stress_command->parsed()) {
       return stress::run_stress_command(stress_options) ? all_hold : claim_failed;
+    }
+    if (certify_command->parsed()) {
+      return certify::run_certify_command(certify_options) ? all_hold : claim_failed;
     }
     return verify(options);
   } catch (const CLI::ParseError& error) {

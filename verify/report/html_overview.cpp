@@ -72,7 +72,12 @@ std::string failures(const Run& run) {
   return out + "</ul>\n";
 }
 
-std::string how_to_read() {
+std::string how_to_read(const std::string& derivations) {
+  const std::string proofs =
+      derivations.empty() ? ""
+                          : fmt::format("\n<p>The claims measure. That the formulas are right for all values is proved: "
+                                        "<a href=\"{}\">the derivations</a>.</p>",
+                                        xml(derivations));
   return fmt::format(
       "<section class=\"how\">\n<h2>How to read this</h2>\n"
       "<p>Each claim is a sentence about the library, judged by an oracle: a witness that shares "
@@ -82,8 +87,8 @@ std::string how_to_read() {
       "reason. <b>Slack</b> is bound over error, and an error below the resolution of the quantity "
       "counts as that resolution: at 1 the error reaches the bound, and over {0} the bound guards "
       "nothing, so that the claim fails. An error that is not a number fails. The bar shows the "
-      "slack from 1 to {0} on a logarithmic scale. Each id leads to the details.</p>\n</section>\n",
-      plain_number(greatest_slack));
+      "slack from 1 to {0} on a logarithmic scale. Each id leads to the details.</p>{1}\n</section>\n",
+      plain_number(greatest_slack), proofs);
 }
 
 namespace {

@@ -44,7 +44,7 @@ h3 { margin: 0; font-size: 1rem; }
 .stamp { display: flex; flex-wrap: wrap; gap: 0.6rem 2.25rem; margin: 1.25rem 0 0; padding: 0;
   font-size: 0.875rem; list-style: none; overflow-wrap: anywhere; }
 .stamp span { display: block; color: var(--soft); }
-.how p { margin: 0; max-width: 52rem; color: var(--soft); }
+.how p { margin: 0 0 0.5rem; max-width: 52rem; color: var(--soft); }
 .how b { color: var(--ink); font-weight: 600; }
 
 .overview { width: 100%; border-collapse: collapse; font-size: 0.9375rem; line-height: 1.4; }
