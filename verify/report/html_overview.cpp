@@ -73,11 +73,12 @@ std::string failures(const Run& run) {
 }
 
 std::string how_to_read(const std::string& derivations) {
-  const std::string proofs =
-      derivations.empty() ? ""
-                          : fmt::format("\n<p>The claims measure. That the formulas are right for all values is proved: "
-                                        "<a href=\"{}\">the derivations</a>.</p>",
-                                        xml(derivations));
+  const std::string proofs = derivations.empty()
+                                 ? ""
+                                 : fmt::format(
+                                       "\n<p>The claims measure. That the formulas are right for all values is proved: "
+                                       "<a href=\"{}\">the derivations</a>.</p>",
+                                       xml(derivations));
   return fmt::format(
       "<section class=\"how\">\n<h2>How to read this</h2>\n"
       "<p>Each claim is a sentence about the library, judged by an oracle: a witness that shares "
