@@ -100,8 +100,11 @@ class Document {
   [[nodiscard]] int verdict() const {
     const bool good = failed_ == 0 && 0 < statements_;
     std::cout << "\n---\n\n"
-              << statements_ << " statements, " << (good ? "all proved; " : std::to_string(failed_) + " FAILED; ")
-              << refused_ << " altered results fail.\n";
+              << statements_ << " statements, " << (good ? "all proved" : std::to_string(failed_) + " FAILED");
+    if (refused_ > 0) {
+      std::cout << "; " << refused_ << " altered results fail";
+    }
+    std::cout << ".\n";
     return good ? 0 : 1;
   }
 

@@ -89,7 +89,7 @@ tilts $\theta_1$ and then $\theta_2$ on the other side, all its energy is that o
   document.prove(
       {.text = R"(per normal force the torque's power is $-\delta |\omega|$)", .result = power, .witness = -delta * w});
   document.prove({.text = "$N = g$", .result = rolls.z().subs(small.epsilon == 0), .witness = g});
-  document.prove({.text = "to the first order",
+  document.prove({.text = "and to the first order it does not change",
                   .result = small.first_order(rolls.z()),
                   .witness = 0,
                   .controls = {small.first_order(rolls.x())}});

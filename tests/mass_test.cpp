@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <goishi/mass/inertia.hpp>
+#include <goishi/mass/inertia_row.hpp>
 #include <goishi/mass/inertia_table.hpp>
 #include <goishi/mass/tensor.hpp>
 #include <limits>
@@ -65,6 +66,12 @@ TEST(Mass, RefusesBadDensityAndMass) {
   }
 }
 
+TEST(Mass, WholeNumbersAreDoubles) {
+  const Stone<double> stone = make_stone(0.022, 0.0092);
+  EXPECT_EQ(mass_properties(stone, Density{2800}).mass, mass_properties(stone, Density{2800.0}).mass);
+  EXPECT_EQ(mass_properties(stone, Mass{1}).mass, 1.0);
+}
+
 TEST(Mass, FormulasAreConstantExpressionsWhereTheyNeedNoRoot) {
   constexpr double radius = formula::sphere_radius(22.0, 9.2);
   constexpr double volume = formula::lens_volume(2.0, 2.0);
@@ -84,6 +91,17 @@ TEST(Table, RowsAreConstantExpressions) {
   static_assert(inertia_table.size() == 56);
   static_assert(inertia_table.front().number == 22);
   static_assert(inertia_table.back().number == 40);
+  static_assert(inertia_row(33, StoneColor::white).axial_per_mass > 4.15e-5);
+}
+
+TEST(Table, RowsAreFoundByNumberColourAndBevel) {
+  for (const InertiaRow& row : inertia_table) {
+    EXPECT_EQ(&inertia_row(row.number, row.color, row.bevel), &row);
+  }
+  EXPECT_EQ(inertia_row(33, StoneColor::black).bevel, 0.0);
+  EXPECT_THROW((void)inertia_row(29, StoneColor::white), InvalidArgument);
+  EXPECT_THROW((void)inertia_row(33, StoneColor::white, 0.002), InvalidArgument);
+  EXPECT_THROW((void)inertia_row(33, StoneColor::white, nan), InvalidArgument);
 }
 
 TEST(Tensor, OfAStoneAtTheOriginIsDiagonal) {

@@ -3,6 +3,7 @@
 /// Mass and principal moments in closed form, about the centre of mass, in frame B (Bz the symmetry axis), uniform
 /// density.
 
+#include <concepts>
 #include <goishi/error.hpp>
 #include <goishi/mass/volume.hpp>
 #include <goishi/scalar.hpp>
@@ -97,6 +98,8 @@ struct Density {
 };
 template <class T>
 Density(T) -> Density<T>;
+template <std::integral T>
+Density(T) -> Density<double>;  // Density{2800}
 
 /// A total mass   [kg].
 template <class T>
@@ -105,6 +108,8 @@ struct Mass {
 };
 template <class T>
 Mass(T) -> Mass<T>;
+template <std::integral T>
+Mass(T) -> Mass<double>;
 
 /// Everything about a stone's mass. SI units, about the centre of mass, frame B.
 template <class T>
