@@ -84,6 +84,9 @@ void motion(Document& document, const Touching& stone) {
       R"(Per unit of mass. $J = I^{-1}$ has the inverse moments $1/I_t$ across the axis and $1/I_a$ along it. The axis
 is fixed in the body, $\dot u = \omega \times u$.)");
   document.shipped("formula::contact_motion", "drop/contact_motion.hpp");
+  document.prove({.text = "$u$ and $L$ are kept",
+                  .result = components(Vector(stone.now.u - 2 * stone.now.L)),
+                  .witness = components(Vector(stone.u - 2 * stone.L))});
   const Relations unit = Relations().unit(stone.u);
   const possymbol axial("Ia", "I_a"), transverse("It", "I_t");
   const exmap moments = {{stone.transverse, 1 / transverse}, {stone.axial, 1 / axial - 1 / transverse}};
@@ -217,6 +220,11 @@ turned by an angle $\psi$ about its axis: $q = \mathrm{shortest}(a, u)\, q_a\, (
   const Relations unit = Relations().unit(a).unit(u);
   const possymbol D("D");
   const ex square = pow(1 + formula::dot(a, u), 2) + formula::dot(formula::cross(a, u), formula::cross(a, u));
+  const Quaternion shortest = formula::shortest_rotation(a, u);
+  document.prove(
+      {.text = "of the two quaternions of a rotation it is the one with $q_0 > 0$: times the root, $q_0$ is $D$",
+       .result = shortest.w() * sqrt(square),
+       .witness = 1 + a.dot(u)});
   document.prove(unit({.text = R"(the square under its root is $2D$, $D = 1 + a \cdot u$)",
                        .result = square,
                        .witness = 2 * (1 + a.dot(u))}));
@@ -225,7 +233,6 @@ turned by an angle $\psi$ about its axis: $q = \mathrm{shortest}(a, u)\, q_a\, (
     return (form.subs(square == 2 * D).subs(1 + formula::dot(a, u) == D) * D * D).expand().subs(D == 1 + a.dot(u));
   };
   const ex over = pow(1 + a.dot(u), 2);
-  const Quaternion shortest = formula::shortest_rotation(a, u);
   const auto prove = [&](const std::string& text, const ex& result, const ex& witness,
                          const std::vector<ex>& controls) {
     document.prove(unit({.text = text,

@@ -107,6 +107,8 @@ with $\dot X$ is at $\bar r (X - P) r$ in V and moves with $\bar r (\dot X - u) 
   };
   prove("each point of the body is where V sees it", components(Vector(seen.p_WB + turned(seen.q_WB, b.x))),
         components(in_V(Vector(b.p + b.arm - P))));
+  prove(R"(its attitude is $\bar r q$, not $-\bar r q$)", components(seen.q_WB),
+        components(relations(hamilton(conjugated(r), b.q))));
   prove("its centre moves as V sees it", components(seen.v_WB), components(in_V(Vector(b.v - u))));
   prove(R"(it turns as V sees it: $\omega$ is the same vector)", components(formula::angular_velocity_W(seen, body)),
         components(in_V(relations(formula::angular_velocity_W(state, body)))));

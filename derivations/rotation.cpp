@@ -65,6 +65,9 @@ none.))");
   const Relations relations = Relations().unit(n).angle(alpha / 2, C, S);
   const Quaternion raw = formula::rotation_exp(Vector(alpha * n));
   const Quaternion form = relations(raw);
+  document.check("in double, the rotation by 0 is the identity, to the last bit",
+                 formula::rotation_exp<double>(goishi::Vec3<double>::Zero()).coeffs() ==
+                     goishi::Quat<double>::Identity().coeffs());
   document.equation(R"(\exp(\theta)_0)", form.w());
   document.equation(R"(\exp(\theta)_1)", form.x());
   document.prove(relations({.text = R"($|\exp\theta| = 1$)",

@@ -2,6 +2,7 @@
 /// \file
 /// The part of the steppers' derivation that is about splitting: one turn, three turns, and compositions of them.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <goishi/motion/step_formulas.hpp>
@@ -161,6 +162,32 @@ void prove_composition(Document& document, int order, const std::array<ex, count
       below(power_of_ten(-4), miss(Series::last_power)));
 }
 
+/// Of the four numbers of `composition_6` three follow from the first.
+inline void last_digits_of_order_6(Document& document) {
+  const std::array<ex, 5> shipped = formula::composition_6<ex>();
+  const symbol b("b"), c("c"), d("d");
+  const std::array<ex, 5> half = {shipped[0], b, c, d, 1 - 2 * (shipped[0] + b + c + d)};
+  Words words = {{{}, 1}};
+  for (const ex& gamma : all_substeps(half)) {
+    words = product(words, exponential(gamma, 5), 5);
+  }
+  const auto here = [&](const ex& form) { return form.subs(exmap{{b, shipped[1]}, {c, shipped[2]}, {d, shipped[3]}}); };
+  const auto slopes = [&](const ex& form) {
+    return Vector(here(form.diff(b)), here(form.diff(c)), here(form.diff(d)));
+  };
+  const ex third = words.at({3}), fifth = words.at({5}), mixed = words.at({1, 1, 3});
+  const Vector p = slopes(third), q = slopes(fifth), r = slopes(mixed);
+  const Vector newton =
+      (here(third) * q.cross(r) + here(fifth) * r.cross(p) + here(mixed) * p.cross(q)) / p.dot(q.cross(r));
+  const ex half_of_the_last = 5 / pow(ex(10), 28);
+  document.check(
+      R"(`composition_6`: its first number given, the others are, in 27 digits, the nearest for which $Y_3$, $Y_5$ and
+$Y_1 Y_1 Y_3$ have the coefficient 0 (a step of Newton's method moves none by half of the last digit))",
+      std::all_of(newton.begin(), newton.end(), [&](const ex& move) {
+        return (half_of_the_last - GiNaC::abs(move)).info(GiNaC::info_flags::positive);
+      }));
+}
+
 inline void compositions(Document& document) {
   document.section("Compositions");
   document.text(
@@ -202,12 +229,18 @@ the shipped digits. Each constant has 27 of them, so the coefficients can agree 
       {.text = R"($4\gamma^3 + (1 - 4\gamma)^3 = (4 - x^3)/(4 - x)^3$, which vanishes for $x = \sqrt[3]{4}$)",
        .result = 4 * pow(gamma, 3) + pow(1 - 4 * gamma, 3),
        .witness = (4 - pow(x, 3)) / pow(4 - x, 3)});
-  const ex shipped_x = 4 - 1 / formula::composition_4<ex>()[0];
-  document.check(R"(`composition_4` has this $\gamma$: $|x^3 - 4| < 10^{-25}$)",
-                 (pow(ex(10), -25) - GiNaC::abs(pow(shipped_x, 3) - 4)).info(GiNaC::info_flags::positive));
+  const auto cube_beside = [](const ex& digit) -> ex {
+    return pow(4 - 1 / (formula::composition_4<ex>()[0] + digit / pow(ex(10), 27)), 3);
+  };
+  document.check(
+      R"(`composition_4` has the nearest 27 digits of this $\gamma$: $x^3 - 4$ changes sign within half of the last
+digit)",
+      (cube_beside(ex(1) / 2) - 4).info(GiNaC::info_flags::positive) &&
+          (4 - cube_beside(ex(-1) / 2)).info(GiNaC::info_flags::positive));
   prove_composition(document, 2, formula::composition_2<ex>(), &formula::composition_2<Series>);
   prove_composition(document, 4, formula::composition_4<ex>(), &formula::composition_4<Series>);
   prove_composition(document, 6, formula::composition_6<ex>(), &formula::composition_6<Series>);
+  last_digits_of_order_6(document);
 }
 
 inline void splitting(Document& document) {

@@ -10,6 +10,10 @@ std::vector<Claim> all_claims() {
   const std::pair<const char*, std::vector<Claim> (*)()> subjects[] = {
       {"claims/accuracy.cpp", accuracy_claims},
       {"claims/enclosure.cpp", enclosure_claims},
+      {"claims/enclosure_branches.cpp", enclosure_branch_claims},
+      {"claims/enclosure_switches.cpp", enclosure_switch_claims},
+      {"claims/enclosure_boxes.cpp", enclosure_box_claims},
+      {"claims/certified.cpp", certified_claims},
       {"claims/gsl.cpp", gsl_claims},
       {"claims/laws.cpp", law_claims},
       {"claims/tensor.cpp", tensor_claims},

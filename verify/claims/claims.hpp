@@ -8,13 +8,17 @@
 
 namespace goishi::verify {
 
-[[nodiscard]] std::vector<Claim> accuracy_claims();   // SHAPE, MASS: ulps of float and double
-[[nodiscard]] std::vector<Claim> enclosure_claims();  // ENCLOSURE: balls contain, and are narrow
-[[nodiscard]] std::vector<Claim> gsl_claims();        // GSL: quadrature of profile and solid
-[[nodiscard]] std::vector<Claim> law_claims();        // LAW: limits, scaling, sandwich, Steiner
-[[nodiscard]] std::vector<Claim> tensor_claims();     // TENSOR: frames, points, principal axes
-[[nodiscard]] std::vector<Claim> table_claims();      // TABLE: the generated inertia table, certified
-[[nodiscard]] std::vector<Claim> published_claims();  // PUBLISHED: the talk's numbers, reproduced and refuted
+[[nodiscard]] std::vector<Claim> accuracy_claims();          // SHAPE, MASS: ulps of float and double
+[[nodiscard]] std::vector<Claim> enclosure_claims();         // ENCLOSURE: balls contain, and are narrow
+[[nodiscard]] std::vector<Claim> enclosure_branch_claims();  // ENCLOSURE: whole functions on balls, choices proved
+[[nodiscard]] std::vector<Claim> enclosure_switch_claims();  // ENCLOSURE: both branches meet where a function switches
+[[nodiscard]] std::vector<Claim> enclosure_box_claims();     // ENCLOSURE: signs, proved on boxes that cover the domain
+[[nodiscard]] std::vector<Claim> certified_claims();         // CERTIFIED: closed forms meet rigorous integration
+[[nodiscard]] std::vector<Claim> gsl_claims();               // GSL: quadrature of profile and solid
+[[nodiscard]] std::vector<Claim> law_claims();               // LAW: limits, scaling, sandwich, Steiner
+[[nodiscard]] std::vector<Claim> tensor_claims();            // TENSOR: frames, points, principal axes
+[[nodiscard]] std::vector<Claim> table_claims();             // TABLE: the generated inertia table, certified
+[[nodiscard]] std::vector<Claim> published_claims();         // PUBLISHED: the talk's numbers, reproduced and refuted
 [[nodiscard]] std::vector<Claim> flight_claims();  // FLIGHT, BATCH: the exact flight against Odeint, and what it keeps
 [[nodiscard]] std::vector<Claim> elliptic_claims();          // ELLIPTIC: the exact flight of an asymmetric body
 [[nodiscard]] std::vector<Claim> motion_law_claims();        // MOTION: time reversal, rotated worlds, scaling, frames

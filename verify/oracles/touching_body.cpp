@@ -225,6 +225,17 @@ class Follower {
     return {part_ == Part::rim ? from_pole - joint : joint - from_pole, normal, friction};
   }
 
+  /// The time in which dry slip loses half of itself at its present rate. A longer step may pass its zero, and Fehlberg's
+  /// estimate of the error does not see that where the force depends on nothing else.
+  [[nodiscard]] Long half_life_of_slip() const {
+    if (!dry() || mode_ != Mode::sliding) {
+      return duration_;
+    }
+    const auto [s_e, s_n] = Equations(body_, part_, path_.end).slip();
+    const Equations::Answer now = answer_at(path_.end);
+    return std::hypot(s_e, s_n) / (2 * std::hypot(now.slip_e_rate, now.slip_n_rate));
+  }
+
   /// One set of equations, to its end.
   void stretch() {
     auto stepper = odeint::make_controlled(1e-18L, 1e-15L,
@@ -245,9 +256,10 @@ class Follower {
         return;
       }
       TouchingState y = path_.end;
-      Long t = path_.time, tried = std::min<Long>({h, Long(1e-2L), duration_ - t});
+      Long t = path_.time, tried = std::min<Long>({h, Long(1e-2L), duration_ - t, half_life_of_slip()});
       const Long asked = tried;
       if (asked < 1e-18L) {
+        path_.gave_up = 1e-18L < duration_ - t;
         path_.time = duration_;
         return;
       }

@@ -12,11 +12,12 @@ namespace goishi::verify {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 21> titles = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 22> titles = {{
     {"SHAPE", "Shape of lens and bevel"},
     {"MASS", "Volume, area and moments of inertia"},
     {"GSL", "Against numerical integration of the solid"},
     {"ENCLOSURE", "Enclosures: intervals that hold the exact value"},
+    {"CERTIFIED", "Closed forms and rigorous integration"},
     {"LAW", "Limits and laws"},
     {"TENSOR", "The inertia tensor about any point, in any frame"},
     {"TABLE", "The inertia table and the catalogue of sizes"},

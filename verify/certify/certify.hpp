@@ -1,0 +1,24 @@
+#pragma once
+/// \file
+/// Judges printed numbers: each is the correctly rounded decimal of an enclosure, or a fault.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace goishi::verify::certify {
+
+struct Outcome {
+  int certified = 0;                // numbers whose every digit is proved
+  std::vector<std::string> faults;  // numbers that are not, and whatever else is wrong, each in a sentence
+};
+
+/// A table that `goishi table` printed with the catalogue's densities: every number, and that no stone is missing.
+[[nodiscard]] Outcome certify_table(std::string_view text);
+
+/// A document for people: the table below its marker `<!-- goishi table … -->`, and the exact results in its sentences,
+/// each of which must stand there. Measured figures (errors, times) and what a simulated drop prints cannot be
+/// certified and are not looked at.
+[[nodiscard]] Outcome certify_document(std::string_view text);
+
+}  // namespace goishi::verify::certify

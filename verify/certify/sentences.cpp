@@ -1,0 +1,127 @@
+#include "verify/certify/sentences.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "verify/certify/printed.hpp"
+#include "verify/certify/witness.hpp"
+
+namespace goishi::verify::certify {
+
+namespace {
+
+Ball decimal(const char* text) {
+  return Ball::from_decimal(text);
+}
+
+/// Line breaks and runs of blanks become one blank.
+std::string in_one_line(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c != ' ' && c != '\n' && c != '\t') {
+      result += c;
+    } else if (!result.ends_with(' ')) {
+      result += ' ';
+    }
+  }
+  return result;
+}
+
+/// The pattern's words between its numbers.
+std::vector<std::string> words_of(std::string_view pattern) {
+  std::vector<std::string> words;
+  for (std::size_t end = pattern.find("{}"); end != std::string_view::npos; end = pattern.find("{}")) {
+    words.emplace_back(pattern.substr(0, end));
+    pattern.remove_prefix(end + 2);
+  }
+  words.emplace_back(pattern);
+  return words;
+}
+
+/// The numbers of the first place where all words of the pattern follow each other with only numbers between.
+std::optional<std::vector<std::string>> find_numbers(std::string_view text, const std::vector<std::string>& words) {
+  for (std::size_t start = text.find(words[0]); start != std::string_view::npos;
+       start = text.find(words[0], start + 1)) {
+    std::size_t at = start + words[0].size();
+    std::vector<std::string> numbers;
+    for (std::size_t i = 1; i < words.size(); ++i) {
+      const std::size_t end = text.find(words[i], at);
+      if (end == std::string_view::npos || !read_printed(text.substr(at, end - at))) {
+        break;
+      }
+      numbers.emplace_back(text.substr(at, end - at));
+      at = end + words[i].size();
+    }
+    if (numbers.size() + 1 == words.size()) {
+      return numbers;
+    }
+  }
+  return std::nullopt;
+}
+
+/// r₂ by the published function, in mm: P_x = √(r² + y²) where it should be √(r² − y²).
+Ball published_minor_radius(const Meridian& lens, const Ball& bevel) {
+  const Ball& r = lens.sphere_radius;
+  const Ball& d = lens.sphere_offset;
+  const Ball y = d + bevel / Ball(2);
+  const Ball major = sqrt(r * r + y * y) * d / y;
+  return Ball(1000) * (r - sqrt(d * d + major * major));
+}
+
+/// In cm², of white size 33.
+struct PerMass {
+  Ball axial, transverse;
+};
+
+PerMass per_mass(const CatalogueStone& entry) {
+  const StoneWitness stone = witness_of(entry, 0);
+  const auto value = [&](std::string_view key) {
+    return decimal("1e4") * std::ranges::find(stone, key, &Quantity::key)->exact;
+  };
+  return {value("axial_per_mass"), value("transverse_per_mass")};
+}
+
+}  // namespace
+
+std::vector<Sentence> exact_results() {
+  const CatalogueStone size_33 = catalogue_stone(33, StoneColor::white);
+  const auto [axial, transverse] = per_mass(size_33);
+  const auto percent_low = [](const char* printed, const Ball& right) {
+    return Ball(100) * (Ball(1) - decimal(printed) / right);
+  };
+  const Ball w = metres<Ball>(size_33.width), h = metres<Ball>(size_33.height),
+             b = metres<Ball>(catalogue::table_bevel);
+  const SpinWitness spin(size_33, decimal("9.80665"));
+  return {
+      {"right is diag({}, {}, {})", {transverse, axial, transverse}},
+      {"Both prints are {} % low", {percent_low("0.304776", axial)}},
+      {"Both prints are {} % low", {percent_low("0.177721", transverse)}},
+      {"Both prints are {} % low", {percent_low("0.303588", axial)}},
+      {"a minor radius of {} mm where {} mm touches",
+       {published_minor_radius(lens_meridian(w, h), b), Ball(1000) * bevelled_meridian(w, h, b).tube_radius}},
+      {"threshold, {} rad/s; settling tilts {}°, {}°, {}°",
+       {spin.threshold(), spin.settling_tilt(Ball(30)), spin.settling_tilt(Ball(40)), spin.settling_tilt(Ball(60))}}};
+}
+
+void judge_sentences(std::string_view document, const std::vector<Sentence>& sentences, Outcome& outcome) {
+  const std::string text = in_one_line(document);
+  for (const auto& [pattern, exact] : sentences) {
+    const auto numbers = find_numbers(text, words_of(pattern));
+    if (!numbers || numbers->size() != exact.size()) {
+      outcome.faults.push_back(fmt::format("the sentence \"{}\" is not there", pattern));
+      continue;
+    }
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+      if (is_certified(*read_printed((*numbers)[i]), exact[i])) {
+        ++outcome.certified;
+      } else {
+        outcome.faults.push_back(fmt::format("\"{}\": {} is printed, {:.17g} is right", pattern, (*numbers)[i],
+                                             static_cast<double>(exact[i])));
+      }
+    }
+  }
+}
+
+}  // namespace goishi::verify::certify
