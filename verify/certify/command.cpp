@@ -58,7 +58,8 @@ CLI::App* define_certify(CLI::App& app, Options& options) {
   certify
       ->add_option("--document", options.documents,
                    "a README: the table below its marker, and the exact results in its sentences")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->allow_extra_args(false);
   certify->footer(
       "Exit status: 0 every number is certified, 1 one is not, or no table is found, 2 bad usage.\n"
       "Example: goishi table --format csv | goishi-verify certify -");

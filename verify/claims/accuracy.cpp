@@ -154,7 +154,7 @@ Measurement measure_width(Context& context) {
 
 auto mass_measure(std::vector<Parametrisation> kinds) {
   return [kinds](Context& context) {
-    return over_samples(context, context.samples(10'000, 50'000),
+    return over_samples(context, context.samples(10'000, 30'000),
                         [&](UlpTable& table, const char* scalar, const auto& shape) {
                           for (const Parametrisation kind : kinds) {
                             see_mass(table, context, scalar, kind, shape);

@@ -47,7 +47,7 @@ Measurement measure_board(Context& context) {
   int short_of = 0;
   Specimen specimen;
   Hull<long double> hull;
-  const int count = context.samples(3000, 100000);
+  const int count = context.samples(3000, 60000);
   for (int i = 0; i < count; ++i) {
     if (i % 8 == 0) {
       specimen = draw_stone(context, i / 8);

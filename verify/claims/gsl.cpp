@@ -149,7 +149,7 @@ Measurement measure_tensor(Context& context) {
     }
   };
   int index = 0;
-  const int every = context.samples(7, 1);
+  const int every = context.samples(7, 3);
   for_each_catalogue_stone([&](const CatalogueStone& entry, const std::string& name) {
     if (index++ % every == 0) {
       see(make_stone<double>(entry), name);
