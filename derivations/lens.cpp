@@ -126,7 +126,8 @@ derive $I_x$?".)");
       {.text = "$I_t/m$ is the ratio of the integrals", .result = per_mass.transverse, .witness = transverse / volume});
 
   document.text(
-      R"(The talk prints a closed form for the axial moment, in $h$ and $r$. It is right (the density it was used with is not).)");
+      R"(The talk prints a closed form of its integral for the axial moment, its $I_y$, in $h$ and $r$. It is right (the density
+it was used with is not).)");
   const ex talk = Pi * pow(h, 3) * (3 * h * h - 30 * h * sphere.radius + 80 * pow(sphere.radius, 2)) / 480;
   document.prove(
       {.text = R"($I_a = \frac{\pi}{480} h^3 (3h^2 - 30hr + 80r^2)$)", .result = moments.axial, .witness = talk});

@@ -4,12 +4,12 @@
 /// definitions that share no formula with src/.
 
 #include <cmath>
-#include <goishi/drop/drop.hpp>
 #include <goishi/mass/inertia.hpp>
 #include <limits>
 #include <numbers>
 
 #include "verify/claim.hpp"
+#include "verify/compiled_drop.hpp"
 #include "verify/oracles/geometry.hpp"
 #include "verify/oracles/profile.hpp"
 #include "verify/oracles/spin.hpp"

@@ -2,120 +2,34 @@
 /// \file
 /// Stones at the board and in pairs, the hard places on purpose.
 
-#include <algorithm>
 #include <array>
 #include <goishi/contact/stone_board.hpp>
 #include <goishi/contact/stone_stone.hpp>
-#include <numbers>
-
-#include <fmt/format.h>
+#include <string>
 
 #include "verify/contact_samples.hpp"
 
 namespace goishi::verify {
 
 /// The real board; smaller than a stone; narrow; nine lines.
-[[nodiscard]] inline Board<double> draw_board(Context& context, int i) {
-  switch (i % 6) {
-    case 0:
-      return make_board<double>(
-          {.lines = 1, .border_x = context.uniform(0.001, 0.02), .border_y = context.uniform(0.001, 0.02)});
-    case 1:
-      return make_board<double>({.lines = 1, .border_x = context.uniform(0.002, 0.02), .border_y = 0.2});
-    case 2:
-      return make_board<double>({.lines = 9});
-    default:
-      return make_board<double>();
-  }
-}
+[[nodiscard]] Board<double> draw_board(Context& context, int i);
 
 /// The attitude whose axis is u, spun at random.
-[[nodiscard]] inline Quat<double> attitude_with_axis(Context& context, const Vec3<double>& u) {
-  const Quat<double> spin(Eigen::AngleAxisd(context.uniform(-3.1, 3.1), Vec3<double>::UnitZ()));
-  return (Quat<double>::FromTwoVectors(Vec3<double>::UnitZ(), u) * spin).normalized();
-}
+[[nodiscard]] Quat<double> attitude_with_axis(Context& context, const Vec3<double>& u);
 
 /// An axis at an angle with n such that n is at the switch of cap and rim, to 1e-17 of it.
-[[nodiscard]] inline Vec3<double> axis_at_switch(Context& context, const Stone<double>& stone, const Vec3<double>& n) {
-  const double joint = std::atan2(stone.joint_cosine, stone.joint_sine);
-  const double angle = joint * (1.0 + context.uniform(-1.0, 1.0) * draw_small(context, 17.0));
-  const Vec3<double> across = n.unitOrthogonal();
-  const double turn = context.uniform(-3.1, 3.1);
-  return std::cos(angle) * n + std::sin(angle) * (std::cos(turn) * across + std::sin(turn) * n.cross(across));
-}
+[[nodiscard]] Vec3<double> axis_at_switch(Context& context, const Stone<double>& stone, const Vec3<double>& n);
 
 /// An axis such that the stone meets n with its rim, turned about n.
-[[nodiscard]] inline Vec3<double> axis_on_rim(Context& context, const Stone<double>& stone, const Vec3<double>& n,
-                                              double turn) {
-  const double axial = context.uniform(-1.0, 1.0) * stone.joint_sine;
-  const Vec3<double> across = n.unitOrthogonal();
-  return axial * n + std::sqrt(1.0 - axial * axial) * (std::cos(turn) * across + std::sin(turn) * n.cross(across));
-}
+[[nodiscard]] Vec3<double> axis_on_rim(Context& context, const Stone<double>& stone, const Vec3<double>& n,
+                                       double turn);
 
 inline constexpr std::array board_strata = {"surface", "edge",     "corner", "deep",
                                             "beside",  "touching", "switch", "aligned"};
 
 /// A pose of stratum i at the board.
-[[nodiscard]] inline Pose<double> draw_board_pose(Context& context, const Stone<double>& stone,
-                                                  const Board<double>& board, int i) {
-  const double reach = outer_width(stone) / 2.0;
-  const auto about = [&](double width) { return reach * width * context.uniform(-1.0, 1.0); };
-  const auto sign = [&] { return context.uniform(0.0, 1.0) < 0.5 ? -1.0 : 1.0; };
-  const double X = sign() * board.half_width, Y = sign() * board.half_length;
-  Pose<double> pose{.p_WB = Vec3<double>::Zero(), .q_WB = draw_attitude(context.random())};
-  const auto near_edge = [&](double width) {
-    const double along = context.uniform(-1.0, 1.0);
-    pose.p_WB = context.uniform(0.0, 1.0) < 0.5 ? Vec3<double>(X + about(width), along * Y, about(width))
-                                                : Vec3<double>(along * X, Y + about(width), about(width));
-  };
-  switch (i % 8) {
-    case 0:
-      pose.p_WB = {context.uniform(-1.0, 1.0) * X, context.uniform(-1.0, 1.0) * Y, about(1.5)};
-      break;
-    case 1:
-      near_edge(1.2);
-      break;
-    case 2:
-      pose.p_WB = {X + about(1.2), Y + about(1.2), about(1.2)};
-      break;
-    case 3:
-      pose.p_WB = {X * context.uniform(-1.0, 1.0), Y - about(3.0), -reach * context.uniform(0.0, 5.0)};
-      break;
-    case 4:
-      pose.p_WB = {X + about(2.0), context.uniform(0.0, 1.0) < 0.5 ? Y + about(2.0) : context.uniform(-1.0, 1.0) * Y,
-                   -reach * context.uniform(0.0, 20.0)};
-      break;
-    case 5: {
-      if (i % 16 < 8) {
-        near_edge(1.1);
-      } else {
-        pose.p_WB = {X + about(1.1), Y + about(1.1), about(1.1)};
-      }
-      const Separation<double> at = separation(stone, pose, board);
-      pose.p_WB += (sign() * 2e-6 * reach - at.gap) * at.n_W;
-      break;
-    }
-    case 6: {
-      Vec3<double> n(std::fabs(context.uniform(-1.0, 1.0)), std::fabs(context.uniform(-1.0, 1.0)),
-                     std::fabs(context.uniform(-1.0, 1.0)));
-      n[i % 3] *= i % 16 < 8 ? 0.0 : 1.0;
-      n = Vec3<double>(std::copysign(n.x(), X), std::copysign(n.y(), Y), n.z()).normalized();
-      pose.q_WB = attitude_with_axis(context, axis_at_switch(context, stone, n));
-      const Vec3<double> towards = pose.q_WB.conjugate() * n;
-      pose.p_WB = Vec3<double>(X, Y, 0.0) + pose.q_WB * support(stone, Vec3<double>(towards.normalized())).p_B +
-                  about(draw_small(context, 16.0)) * n;
-      break;
-    }
-    default: {
-      const std::array<Vec3<double>, 6> axes = {Vec3<double>(1, 0, 0), Vec3<double>(0, 1, 0), Vec3<double>(0, 0, 1),
-                                                Vec3<double>(1, 1, 0), Vec3<double>(0, 1, 1), Vec3<double>(1, 1, 1)};
-      pose.q_WB = attitude_with_axis(context, axes[context.random()() % 6].normalized());
-      pose.p_WB = {X + (i % 16 < 8 ? 0.0 : about(1.0)), i % 32 < 16 ? 0.0 : Y, about(1.0)};
-      break;
-    }
-  }
-  return pose;
-}
+[[nodiscard]] Pose<double> draw_board_pose(Context& context, const Stone<double>& stone, const Board<double>& board,
+                                           int i);
 
 inline constexpr std::array pair_strata = {"near",     "overlapping", "deep", "concentric", "parallel",
                                            "touching", "aligned",     "far",  "switch",     "crossed"};
@@ -127,119 +41,25 @@ struct Pair {
   Pose<double> pose, other_pose;
 };
 
-[[nodiscard]] inline Separation<double> separation(const Pair& pair) {
-  return separation(pair.first.stone, pair.pose, pair.second.stone, pair.other_pose);
-}
+[[nodiscard]] Separation<double> separation(const Pair& pair);
 
 /// As far apart as the centres can be when the stones touch.
-[[nodiscard]] inline double reach_of(const Pair& pair) {
-  return (outer_width(pair.first.stone) + outer_width(pair.second.stone)) / 2.0;
-}
+[[nodiscard]] double reach_of(const Pair& pair);
 
 /// Puts the first stone where it touches the second along n.
-inline void touch_along(Pair& pair, const Vec3<double>& n) {
-  const auto point = [&](const Specimen& specimen, const Pose<double>& pose) {
-    const Vec3<double> n_B = pose.q_WB.conjugate() * n;
-    return Vec3<double>(pose.q_WB * support(specimen.stone, Vec3<double>(n_B.normalized())).p_B);
-  };
-  pair.pose.p_WB = pair.other_pose.p_WB + point(pair.second, pair.other_pose) + point(pair.first, pair.pose);
-}
+void touch_along(Pair& pair, const Vec3<double>& n);
 
 /// A pair of stratum i.
-[[nodiscard]] inline Pair draw_pair(Context& context, int i) {
-  const int stratum = i % pair_strata_count, turn = i / pair_strata_count;
-  Pair pair{draw_stone(context, turn), draw_stone(context, i % 3 == 0 ? turn : turn / 6), {}, {}};
-  pair.other_pose = {.p_WB = 0.02 * draw_unit(context), .q_WB = draw_attitude(context.random())};
-  pair.pose.q_WB = draw_attitude(context.random());
-  const double reach = reach_of(pair);
-  Vec3<double> away = draw_unit(context);
-  const auto u = [](const Pose<double>& pose) { return Vec3<double>(pose.q_WB * Vec3<double>::UnitZ()); };
-  const auto put = [&](double distance) { pair.pose.p_WB = pair.other_pose.p_WB + distance * away; };
-  switch (stratum) {
-    case 0:
-      put(reach * context.uniform(0.5, 1.3));
-      break;
-    case 1: {  // by no more than the bevels, or a thousandth
-      put(reach);
-      const Separation<double> at = separation(pair);
-      const double bevels = pair.first.stone.bevel_minor_radius + pair.second.stone.bevel_minor_radius;
-      pair.pose.p_WB -= (at.gap + context.uniform(0.0, 1.0) * std::max(bevels, 1e-3 * reach)) * at.n_W;
-      break;
-    }
-    case 2:
-      put(reach * context.uniform(0.0, 0.5));
-      break;
-    case 3:
-      pair.pose.p_WB = pair.other_pose.p_WB;
-      pair.pose.q_WB = turn % 2 == 0 ? pair.other_pose.q_WB : pair.pose.q_WB;
-      break;
-    case 4:
-      pair.pose.q_WB = attitude_with_axis(context, u(pair.other_pose));
-      put(reach * context.uniform(0.0, 1.2));
-      break;
-    case 5: {  // to a millionth of the diameter, apart or overlapping
-      put(reach);
-      const Separation<double> at = separation(pair);
-      pair.pose.p_WB += ((turn % 2 == 0 ? 2e-6 : -2e-6) * reach - at.gap) * at.n_W;
-      break;
-    }
-    case 6: {  // coaxial, or side by side in one plane
-      const bool coaxial = turn % 2 == 0;
-      away = coaxial ? u(pair.other_pose) : Vec3<double>(u(pair.other_pose).unitOrthogonal());
-      pair.pose.q_WB = attitude_with_axis(context, turn % 4 < 2 ? u(pair.other_pose) : away);
-      put(reach * context.uniform(0.0, 1.2));
-      break;
-    }
-    case 7:
-      put(reach / draw_small(context, 6.0));
-      break;
-    case 8: {  // touching where cap and rim meet, of one stone or of both
-      if (turn % 3 != 0) {
-        pair.pose.q_WB = attitude_with_axis(context, axis_at_switch(context, pair.first.stone, away));
-      }
-      if (turn % 3 != 1) {
-        pair.other_pose.q_WB = attitude_with_axis(context, axis_at_switch(context, pair.second.stone, away));
-      }
-      touch_along(pair, away);
-      pair.pose.p_WB += reach * context.uniform(-1.0, 1.0) * draw_small(context, 16.0) * away;
-      break;
-    }
-    default: {  // rim in rim, nearly as deep as the normal there stays a maximum: of several, the one that is hard to find
-      const double first_turn = context.uniform(-3.1, 3.1), between = context.uniform(-3.1, 3.1);
-      pair.pose.q_WB = attitude_with_axis(context, axis_on_rim(context, pair.first.stone, away, first_turn));
-      pair.other_pose.q_WB =
-          attitude_with_axis(context, axis_on_rim(context, pair.second.stone, away, first_turn + between));
-      touch_along(pair, away);
-      const double bevels = pair.first.stone.bevel_minor_radius + pair.second.stone.bevel_minor_radius;
-      const double deepest = std::min(pair.first.stone.bevel_major_radius, pair.second.stone.bevel_major_radius) *
-                             std::pow(std::sin(between), 2);
-      pair.pose.p_WB -= (bevels + context.uniform(0.5, 1.0) * deepest) * away;
-      break;
-    }
-  }
-  return pair;
-}
+[[nodiscard]] Pair draw_pair(Context& context, int i);
 
-[[nodiscard]] inline std::string describe(const Pair& pair) {
-  return describe(pair.first, pair.pose) + " and " + describe(pair.second, pair.other_pose);
-}
+[[nodiscard]] std::string describe(const Pair& pair);
 
 /// < 0 inside the board, 0 on it.
-[[nodiscard]] inline double outside_board(const Board<double>& board, const Vec3<double>& p) {
-  return std::max({std::fabs(p.x()) - board.half_width, std::fabs(p.y()) - board.half_length, p.z()});
-}
+[[nodiscard]] double outside_board(const Board<double>& board, const Vec3<double>& p);
 
-[[nodiscard]] inline double outside_stone(const Hull<long double>& hull, const Pose<double>& pose,
-                                          const Vec3<double>& p_W) {
-  const Quat<long double> q = pose.q_WB.cast<long double>().normalized();
-  const Vec3<long double> p_B = q.conjugate() * Vec3<long double>((p_W - pose.p_WB).cast<long double>());
-  return static_cast<double>(outside(hull, std::hypot(p_B.x(), p_B.y()), p_B.z()));
-}
+[[nodiscard]] double outside_stone(const Hull<long double>& hull, const Pose<double>& pose, const Vec3<double>& p_W);
 
 /// A search that is not as good finds nothing: one in a thousand may fall short.
-inline void see_search(Worst& worst, int short_of, int count) {
-  worst.see(1000 * short_of <= count ? 0.0 : 1.0,
-            [&] { return fmt::format("the search fell short {} times", short_of); });
-}
+void see_search(Worst& worst, int short_of, int count);
 
 }  // namespace goishi::verify

@@ -3,9 +3,10 @@
 /// Drops for the stress test: any stone, pose, spin, law and material, with the awkward ones on purpose.
 
 #include <cstdint>
-#include <goishi/drop/drop.hpp>
 #include <optional>
 #include <string>
+
+#include "verify/compiled_drop.hpp"
 
 namespace goishi::verify::stress {
 

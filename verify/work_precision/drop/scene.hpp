@@ -3,9 +3,10 @@
 /// The drops that are timed: size 33, bevel 1 mm, let go 5 cm over the plane, in random attitude, with a random spin of
 /// up to 30 rad/s. Restitution, friction and resistance are the defaults.
 
-#include <goishi/drop/drop.hpp>
 #include <goishi/mass/inertia.hpp>
 #include <vector>
+
+#include "verify/compiled_drop.hpp"
 
 namespace goishi::verify::bench::drops {
 
