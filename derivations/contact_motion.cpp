@@ -84,7 +84,7 @@ void motion(Document& document, const Touching& stone) {
       R"(Per unit of mass. $J = I^{-1}$ has the inverse moments $1/I_t$ across the axis and $1/I_a$ along it. The axis
 is fixed in the body, $\dot u = \omega \times u$.)");
   document.shipped("formula::contact_motion", "drop/contact_motion.hpp");
-  document.prove({.text = "$u$ and $L$ are kept",
+  document.prove({.text = "the result holds the $u$ and $L$ that it was given",
                   .result = components(Vector(stone.now.u - 2 * stone.now.L)),
                   .witness = components(Vector(stone.u - 2 * stone.L))});
   const Relations unit = Relations().unit(stone.u);
@@ -118,7 +118,9 @@ rises against the plane as fast as the gap widens)",
   document.text(
       R"(Newton and Euler, with a force $F$ at the contact and a torque $\tau$ beside it: $\dot v = F + g$, $\dot L =
 r \times F + \tau$. The witness differentiates $v + \omega \times r$ by the chain rule, $\omega = J(u) L$ and $r(u)$
-along $\dot u$ and $\dot L$.)");
+along $\dot u$ and $\dot L$. $W$ is the contact matrix of a unit mass (chapter *Impacts*), and $\mathrm{need}$ minus
+what the point is accelerated by without force and torque: $\mathrm{need} = -g - \dot J L \times r - \omega \times
+\dot r$, with $\dot J$ and $\dot r$ along $\dot u$.)");
   const Vector F = letters("F"), tau = letters("T");
   const Vector L_rate = stone.there(Vector(stone.r().cross(F))) + tau;
   const Vector w_rate = stone.rate(w, u_rate, L_rate), r_rate = stone.rate(stone.r(), u_rate, L_rate);
@@ -221,13 +223,13 @@ turned by an angle $\psi$ about its axis: $q = \mathrm{shortest}(a, u)\, q_a\, (
   const possymbol D("D");
   const ex square = pow(1 + formula::dot(a, u), 2) + formula::dot(formula::cross(a, u), formula::cross(a, u));
   const Quaternion shortest = formula::shortest_rotation(a, u);
+  document.prove(unit({.text = R"(the square under the formula's root is $2D$, $D = 1 + a \cdot u$)",
+                       .result = square,
+                       .witness = 2 * (1 + a.dot(u))}));
   document.prove(
       {.text = "of the two quaternions of a rotation it is the one with $q_0 > 0$: times the root, $q_0$ is $D$",
        .result = shortest.w() * sqrt(square),
        .witness = 1 + a.dot(u)});
-  document.prove(unit({.text = R"(the square under its root is $2D$, $D = 1 + a \cdot u$)",
-                       .result = square,
-                       .witness = 2 * (1 + a.dot(u))}));
   // Free of roots and denominators: the square gives way to 2D, D² is multiplied in, and D is what it stands for.
   const auto times_square = [&](const ex& form) {
     return (form.subs(square == 2 * D).subs(1 + formula::dot(a, u) == D) * D * D).expand().subs(D == 1 + a.dot(u));

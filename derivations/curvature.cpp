@@ -90,7 +90,9 @@ and the rim's plane too, so that its mirror images join it with the same curvatu
 $h$ if
 
 $$\int_0^{\pi/2} \rho \cos\varphi \, d\varphi = \frac w2, \qquad \int_0^{\pi/2} \rho \sin\varphi \, d\varphi = \frac
-h2.$$)");
+h2.$$
+
+No function of the library makes this profile: what is stated of it is stated of this chapter's formulas.)");
   const possymbol r("r"), edge("re", R"(\rho_e)");
   const ex between = at.radius(r, edge, n);
   const ex across = between * n.radial + n.slope(between) * n.axial;

@@ -85,12 +85,12 @@ inline Series gain_of(const Start& start, const SeriesQuaternion& end) {
   return energy(end) - energy(constant_series(start.q));
 }
 
-/// The leading term of the gain, of the shipped steps.
+/// The leading term of the gain, of the turns just proved (exponential Euler's as a series).
 inline void energy_of_a_step(Document& document) {
   document.text(
       R"(How fast it grows, step by step: as series in $\Delta t$, for the symmetric top, with $\omega_z$ about its axis
 and $\omega_\perp$ across it,)");
-  const possymbol axial("Ia", "I_a"), transverse("It", "I_t");
+  const possymbol axial("Ia", "I_a"), transverse("It", "I_t"), dt("dt", R"(\Delta t)");
   Start top;
   top.J = Vector(1 / transverse, 1 / transverse, 1 / axial);
   const Vector w = top.w();
@@ -100,8 +100,8 @@ and $\omega_\perp$ across it,)");
     Series::last_power = 2;
     Series::relations = top.relations;
     const Series gain = gain_of(top, step(top));
-    document.prove_limit(scheme + R"(: the coefficients of $\Delta t^0$ and $\Delta t^1$ are 0)",
-                         top.relations(gain[0] + gain[1]), 0);
+    document.prove_limit(scheme + R"(: the coefficients of $\Delta t^0$ and $\Delta t^1$ are both 0)",
+                         top.relations(gain[0] + dt * gain[1]), 0);
     document.prove(top.relations(
         {.text =
              R"(and $E' - E = \frac{(I_t - I_a)^2}{2 I_t}\, \omega_\perp^2 \omega_z^2\, \Delta t^2 + O(\Delta t^3)$)",
@@ -145,10 +145,11 @@ n_3$, the momentum about the axis, and)");
                   .witness = versine * (1 - pow(turn.n.z(), 2)) * pow(top.transverse - top.axial, 2) /
                              (pow(top.axial, 2) * top.transverse)});
   document.text(
-      R"(So $\sigma\kappa \ge 0$, and $2 + \kappa > 0$ since $I_a \le 2 I_t$ makes $\kappa \ge -2 (1 - \frac12)$: at
-no step, whatever its size, does the energy fall, and it grows but for a ball, for $L$ along the axis or across it,
-and for whole turns. It ends where $E$ is greatest for its $|L|$: if $I_a > I_t$, with the axis across $L$. From a spin about the
-axis that is a gain of)");
+      R"(So $\sigma\kappa \ge 0$, and $2 + \kappa > 0$ since $I_a \le 2 I_t$ makes $\kappa \ge -1$: at no step, whatever its
+size, does the energy fall, and it grows but for a ball, for $L$ along the axis or across it, and for whole turns.
+While $\varphi < 2\pi$ at every step (always with explicit Euler), it goes to where $E$ is greatest for its $|L|$: with
+the axis across $L$ if $I_a > I_t$, along $L$ if $I_a < I_t$. From a spin next to the axis, for $I_a > I_t$, that is a
+gain of)");
   const auto energy_of = [&](const Vector& momentum) {
     State state = start;
     state.L_W = relations(turned(turn.q, momentum));

@@ -165,10 +165,10 @@ void rotation(Document& document, const Top& top) {
       R"(Without a torque $L_W$ is constant, and the body's angular velocity is what this momentum asks for: $\omega_B
 = I^{-1} (\bar q L q)$. So its attitude solves
 
-$$\dot q = \tfrac12\, q\, (0, \omega_B), \qquad \omega_B = I^{-1} (\bar q L q), \qquad q(0) = q_0,$$
+$$\dot q = \tfrac12\, q\, (0, \omega_B), \qquad \omega_B = I^{-1} (\bar q L q), \qquad q(0) \text{ given},$$
 
 which has one solution. $L = \Lambda n$ with $|n| = 1$; $C$, $S$ are cosine and sine of $\Lambda t / 2I_t$; $c$, $s$
-those of $L_z t (1/I_a - 1/I_t)/2$. The attitude $q_0 = (q_0, q_1, q_2, q_3)$ is any, $|q_0| = 1$.)");
+those of $L_z t (1/I_a - 1/I_t)/2$. The attitude at first, $q(0) = (q_0, q_1, q_2, q_3)$, is any, $|q(0)| = 1$.)");
   const Relations& relations = top.relations;
   document.shipped("formula::axial_momentum", "motion/free_flight.hpp");
   const Vector L_B = relations(turned(conjugated(top.q), top.L));
@@ -202,7 +202,7 @@ those of $L_z t (1/I_a - 1/I_t)/2$. The attitude $q_0 = (q_0, q_1, q_2, q_3)$ is
   const Quaternion flow = relations(hamilton(top.path, pure(Vector(w_B / 2))));
   document.prove(
       {.text = "the equation", .result = path, .witness = components(flow), .view = rate, .controls = wrong});
-  document.prove({.text = "$q(0) = q_0$",
+  document.prove({.text = "and it begins there: $q(0)$",
                   .result = relations.at_zero_angles(path),
                   .witness = components(top.q),
                   .controls = {relations.at_zero_angles(path) * ex(1001) / 1000}});

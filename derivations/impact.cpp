@@ -10,14 +10,22 @@ namespace {
 
 using namespace derivation;
 
+/// Three letters, printed with the indices x, y, z: a number is that of a body.
+Vector letters_xyz(const std::string& name, const std::string& of_body = "") {
+  const std::string index = name + "_{" + (of_body.empty() ? "" : of_body + ",");
+  const auto letter = [&](int i) { return realsymbol(repeated(name + of_body, i + 2), index + "xyz"[i] + "}"); };
+  return {letter(0), letter(1), letter(2)};
+}
+
 /// Any body at the moment of an impact.
-Body body_letters(const std::string& suffix) {
-  const auto positive = [&](const std::string& name) { return possymbol(name + suffix, name + "_" + suffix); };
-  return {.mobility = {.linear = positive("A"), .transverse = positive("B"), .axial = realsymbol("C" + suffix)},
-          .p_WB = letters("x" + suffix),
-          .u_W = letters("u" + suffix),
-          .v_WB = letters("w" + suffix),
-          .L_W = letters("L" + suffix)};
+Body body_letters(const std::string& which = "") {
+  const std::string index = which.empty() ? "" : "_" + which;
+  const auto size = [&](const std::string& name) { return possymbol(name + which, name + index); };
+  return {.mobility = {.linear = size("A"), .transverse = size("B"), .axial = realsymbol("C" + which, "C" + index)},
+          .p_WB = letters_xyz("x", which),
+          .u_W = letters_xyz("u", which),
+          .v_WB = letters_xyz("w", which),
+          .L_W = letters_xyz("L", which)};
 }
 
 /// m v²/2 + L · ω/2.
@@ -73,13 +81,13 @@ void body(Document& document) {
                   .meaning = {{axial, transverse}},
                   .controls = {-1 / axial - 1 / transverse, (transverse - 2 * axial) / (axial * transverse)}});
   const Quaternion q = quaternion_letters("q");
-  const Vector L = letters("L");
+  const Vector L = letters_xyz("L");
   const Vector u = turned(q, Vector(0, 0, 1));
   const Vector L_B = turned(conjugated(q), L);
   const Vector w_B(L_B.x() / transverse, L_B.y() / transverse, L_B.z() / axial);
   const Relations relations = Relations().unit(q);
   const goishi::Mobility<ex> one{.linear = possymbol("A"), .transverse = possymbol("B"), .axial = realsymbol("C")};
-  const Vector axis = letters("u");
+  const Vector axis = letters_xyz("u");
   exmap meaning = {{one.transverse, mobility.transverse}, {one.axial, mobility.axial}};
   for (int i = 0; i < 3; ++i) {
     meaning[axis(i)] = u(i);
@@ -97,8 +105,8 @@ void body(Document& document) {
 integrated over an instant). The point at $r$ moves with $v + \omega \times r$. From here on the mobility is three letters,
 $A = 1/m$, $B = 1/I_t$, $C = 1/I_a - 1/I_t$.)");
   document.shipped("formula::point_velocity, pushed, response", "impact/body.hpp");
-  const Body any = body_letters("1");
-  const Vector r = letters("r");
+  const Body any = body_letters();
+  const Vector r = letters_xyz("r");
   const Vector w = formula::turning(any.mobility, any.u_W, any.L_W);
   document.prove({.text = R"(the point's velocity is $v + \omega \times r$)",
                   .result = components(formula::point_velocity(any, r)),
@@ -166,7 +174,7 @@ void two_bodies(Document& document) {
       R"(They meet at one point, $r_1$ and $r_2$ from their centres; $p$ acts on the first, $-p$ on the second. What happens
 depends on the relative velocity $v = v_1 - v_2$ of the two points alone. A fixed body is $A = B = C = 0$.)");
   const Body first = body_letters("1"), second = body_letters("2");
-  const Vector r1 = letters("r"), r2 = letters("s");
+  const Vector r1 = letters_xyz("r", "1"), r2 = letters_xyz("r", "2");
   const Body pushed1 = after(first, r1, p), pushed2 = after(second, r2, Vector(-p));
   const Vector before = formula::point_velocity(first, r1) - formula::point_velocity(second, r2);
   const Vector later = formula::point_velocity(pushed1, r1) - formula::point_velocity(pushed2, r2);
@@ -255,7 +263,7 @@ restitution is not $e$:)");
 plane with the normal $z$:)");
   const realsymbol alpha("alpha", R"(\alpha)"), beta("beta", R"(\beta)"), sigma("sigma", R"(\sigma)");
   const realsymbol eta("eta", R"(\eta)");
-  const Body any = body_letters("1");
+  const Body any = body_letters();
   const ContactMatrix<ex> plane =
       formula::contact_matrix<ex>(any.mobility, Vector(sigma, 0, eta), Vector(alpha, 0, beta));
   document.check("the tangent out of that plane decouples: $W_{xy} = W_{yz} = 0$",

@@ -5,6 +5,7 @@
 #include <goishi/impact/impulses.hpp>
 #include <string>
 
+#include "enclosure.hpp"  // has an e and an n of its own: ahead of the letters below
 #include "proof.hpp"
 #include "relations.hpp"
 

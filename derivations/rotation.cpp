@@ -19,8 +19,8 @@ void product(Document& document) {
   document.section("The product");
   document.text(
       R"(Hamilton's rule is $(s, a)(t, b) = (st - a \cdot b,\; sb + ta + a \times b)$, and a quaternion turns a vector
-as $q v \bar q$. No quaternion of this section is a unit one. (A vector or a quaternion $x$ is compared in all
-components at once, as $a \cdot x$ with independent $a$.))");
+as $q v \bar q$. No quaternion of this section need be a unit one, but where it is said. (A vector or a
+quaternion $x$ is compared in all components at once, as $a \cdot x$ with independent $a$.))");
   document.shipped("formula::product", "rotation.hpp");
   const Quaternion p = quaternion_letters("p");
   const Quaternion r = quaternion_letters("r");

@@ -166,7 +166,7 @@ authors rounded to 25 digits.)");
   document.section("Its implicit part is L-stable");
   document.text(
       R"(For $y' = \lambda y$, $z = h\lambda$, a step multiplies by $R(z) = \det(1 - zA + z \mathbb{1}
-b^\mathsf{T})/\det(1 - zA)$.)");
+b^\mathsf{T})/\det(1 - zA) = P/Q$, $Q(0) = 1$.)");
   document.check("the weights are the last stage's: it is stiffly accurate", weights == I.back());
   const symbol z("z");
   const possymbol w("w");

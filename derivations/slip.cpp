@@ -12,12 +12,15 @@ namespace {
 using namespace derivation;
 
 void laws(Document& document) {
-  const Vector b = letters("b"), need = letters("k");
+  const Vector b(realsymbol("bb", "b_x"), realsymbol("bbb", "b_y"), realsymbol("bbbb", "b_z"));
+  const Vector need(realsymbol("kx", R"(\mathrm{need}_x)"), realsymbol("ly", R"(\mathrm{need}_y)"),
+                    realsymbol("mz", R"(\mathrm{need}_z)"));
   document.section("Dry friction");
   document.text(
       R"($F = N q$, $q = (-\mu c, -\mu s, 1)$, against a slip $\sigma(c, s)$, $c = \cos\varphi$, $s = \sin\varphi$.
-Then $\dot s = N(W q + b) - \mathrm{need}$, and along the slip and across it $\dot s$ is $\dot\sigma$ and
-$\sigma\dot\varphi$.)");
+$b = J\tau \times r$ is what the resistance of a normal force 1, its torque $\tau$, does to the contact point
+(chapter *A stone in contact with a plane*, as are $W$ and $\mathrm{need}$). Then $\dot s = N(W q + b) -
+\mathrm{need}$, and along the slip and across it $\dot s$ is $\dot\sigma$ and $\sigma\dot\varphi$.)");
   document.shipped("formula::slip_rate", "drop/slip.hpp");
   const realsymbol c("c"), s("s");
   const Vector gained = M * Vector(-mu * c, -mu * s, 1) + b;
@@ -27,7 +30,8 @@ $\sigma\dot\varphi$.)");
                   .result = dry.N,
                   .witness = 0,
                   .view = [&](const ex& x) { return x * gained.z() - need.z(); }});
-  document.prove({.text = "$D = \\mathrm{need}_z/N$", .result = dry.denominator, .witness = gained.z()});
+  document.prove(
+      {.text = "$D$, the shipped denominator of $N$: $(W q + b)_z$", .result = dry.denominator, .witness = gained.z()});
   const Vector rate = need.z() / gained.z() * gained - need;
   const ex across = rate.y() * c - rate.x() * s;
   document.prove({.text = R"($\dot\sigma$)", .result = dry.along, .witness = rate.x() * c + rate.y() * s});
@@ -37,7 +41,7 @@ $\sigma\dot\varphi$.)");
                   .witness = across.diff(s) * c - across.diff(c) * s});
 
   document.section("Friction that is smooth in the slip");
-  document.text(R"($F = N(-k s_x, -k s_y, 1)$.)");
+  document.text(R"($F = N q$, $q = (-k s_x, -k s_y, 1)$.)");
   document.shipped("formula::glide_rate", "drop/slip.hpp");
   const possymbol k("k");
   const realsymbol sx("sx", "s_x"), sy("sy", "s_y");
@@ -47,7 +51,8 @@ $\sigma\dot\varphi$.)");
       {.text = "$N$ keeps the contact point on the plane", .result = smooth.N, .witness = 0, .view = [&](const ex& x) {
          return x * won.z() - need.z();
        }});
-  document.prove({.text = "$D$", .result = smooth.denominator, .witness = won.z()});
+  document.prove(
+      {.text = "$D$, its denominator, again with this $q$", .result = smooth.denominator, .witness = won.z()});
   const Vector glide = need.z() / won.z() * won - need;
   document.prove({.text = R"($\dot s_x$)", .result = smooth.x, .witness = glide.x()});
   document.prove({.text = R"($\dot s_y$)", .result = smooth.y, .witness = glide.y()});
@@ -110,7 +115,7 @@ and $\beta$.)");
 faster if $\tan\beta > \mu$.)");
   const possymbol v0("v0", "v_0");
   const ex time = v0 / (mu * g);
-  document.prove({.text = R"(on the level it stops after $v_0^2/(2\mu g)$)",
+  document.prove({.text = R"(on the level it stops after the way $v_0^2/(2\mu g)$)",
                   .result = v0 * time - mu * g * pow(time, 2) / 2,
                   .witness = pow(v0, 2) / (2 * mu * g)});
   const Motion flat = formula::contact_motion(any.mobility, Vector(0, 0, -g), cap(1), up, nothing);
@@ -136,7 +141,7 @@ faster if $\tan\beta > \mu$.)");
                   .controls = scaled(slips.along)});
   document.prove({.text = "across, nothing", .result = slips.across, .witness = 0, .controls = {slips.along}});
   const ex until = -v0 / slips.along;
-  document.prove({.text = R"(from $v_0$ without spin the slip ends after $2 v_0/(7 \mu g)$)",
+  document.prove({.text = R"(from $v_0$ without spin the slip ends after the time $2 v_0/(7 \mu g)$)",
                   .result = until,
                   .witness = 2 * v0 / (7 * mu * g),
                   .controls = scaled(until)});

@@ -2,6 +2,7 @@
 /// The support function of the stone: maximiser on cap and rim, its switch, thin stones; the distance from the core; which
 /// points of two rims separate two stones most; and the bound that makes the time of impact safe.
 
+#include <goishi/contact/flight_path.hpp>
 #include <goishi/contact/stone_plane.hpp>
 #include <goishi/shape/surface.hpp>
 
@@ -127,10 +128,13 @@ $\rho = s\,(1 - p^2)/(1 + p^2)$, $\zeta + d = 2 s p/(1 + p^2)$ the root is $s$.)
 void rims(Document& document) {
   document.section("Two rims");
   document.text(
-      R"(Where two stones meet a normal $n$ with their rims, $g(n) = D \cdot n - c_1 n_{r1} - c_2 n_{r2}$. Where that is
-stationary, $w = D - c_1 e_1 - c_2 e_2 = g n$ is across both circles, $e_i$ the radial directions of $n$: the points are those
-of a stationary distance of the circles. With $k_i = c_i/n_{ri}$ and $t_i$ the tangents, the second derivative of $-g$ is
-$M = g + k_1 t_1 t_1^T + k_2 t_2 t_2^T$.)");
+      R"(Two stones' cores have rims that are circles of the radii $c_1$, $c_2$; $D$ leads from the second's centre to the
+first's, and $n$, $|n| = 1$, from the second to the first. $n_{ri}$ is the length of the part of $n$ across the axis of stone
+$i$, the unit vector $e_i$ its direction, $t_i$ the tangent of the circle there, across both $n$ and $e_i$, and $\beta$ the
+angle from $t_1$ to $t_2$. Where both meet $n$ with their rims, the cores are apart by $g(n) = D \cdot n - c_1 n_{r1} - c_2
+n_{r2}$. Where that is stationary, $w = D - c_1 e_1 - c_2 e_2 = g n$ is across both circles: it joins their points of
+a stationary distance. With $k_i = c_i/n_{ri}$ the second derivative of $-g$ is $M = g + k_1 t_1 t_1^T + k_2 t_2
+t_2^T$.)");
   const possymbol c1("c1", "c_1"), c2("c2", "c_2");
   const realsymbol g("g"), beta("b", R"(\tan\frac{\beta}{2})"), p1("p1", "p_1"), p2("p2", "p_2");
   const auto cosine = [](const ex& t) { return ex((1 - pow(t, 2)) / (1 + pow(t, 2))); };
@@ -150,10 +154,15 @@ $M = g + k_1 t_1 t_1^T + k_2 t_2 t_2^T$.)");
   const ex k1 = c1 / cosine(p1), k2 = c2 / cosine(p2);
   const ex determinant =
       (g + k1 + k2 * pow(cosine(beta), 2)) * (g + k2 * pow(sine(beta), 2)) - pow(k2 * cosine(beta) * sine(beta), 2);
-  document.prove({.text = R"(the distance is stationary there, whatever $g$)",
-                  .result = pow(there(half_square.diff(a1)), 2) + pow(there(half_square.diff(a2)), 2),
-                  .witness = ex(0),
-                  .controls = {ex(g)}});
+  const auto slopes = [&](const Vector& between) {
+    const ex half = between.dot(between) / 2;
+    return ex(pow(there(half.diff(a1)), 2) + pow(there(half.diff(a2)), 2));
+  };
+  document.prove(
+      {.text = R"(the distance is stationary there, whatever $g$; not so where $w$ has a part along a tangent)",
+       .result = slopes(w),
+       .witness = 0,
+       .controls = {slopes(Vector(w + g * t1)), slopes(Vector(w + g * t2))}});
   document.prove({.text = R"(the determinant of the second derivative of $\frac12 |w|^2$ by the two angles is
 $\frac{c_1^2 c_2^2}{k_1 k_2} \det M$)",
                   .result = (curved * k1 * k2 / pow(c1 * c2, 2)).normal(),
@@ -162,7 +171,8 @@ $\frac{c_1^2 c_2^2}{k_1 k_2} \det M$)",
   document.text(
       R"(At a maximum of $g$, $M$ is not negative. Where the cores overlap, $g < 0$, so $-g$ is at most the least eigenvalue
 of $k_1 t_1 t_1^T + k_2 t_2 t_2^T$, which is at most $\min(k_1, k_2) \sin^2\beta$; then both diagonal derivatives,
-$c_i^2 (1 + g/k_i)$, are not negative either: such a maximum is a local *minimum* of the distance of the circles.)");
+$c_i^2 (1 + g/k_i)$, are not negative either. So such a maximum, where $M$ is definite, is a local *minimum* of the distance of
+the circles; in the limit the second derivative is not negative.)");
 }
 
 void impact(Document& document, const goishi::Stone<ex>& stone, const Torus& torus) {
@@ -188,6 +198,17 @@ $H = h_0 + v t - g t^2/2 - S(u)$. So $H'' = -g - S''(u)\,u'^2 - S'(u)\,u''$. On 
        .result = sum.subs(pow(sine, 2) == 1 - pow(c, 2)).expand(),
        .witness = (pow(rate, 4) * (pow(B, 2) + pow(C, 2))),
        .controls = scaled(sum.subs(pow(sine, 2) == 1 - pow(c, 2)))});
+  document.shipped("formula::greatest_bend", "contact/flight_path.hpp");
+  const possymbol swing("swing", R"(\sqrt{B^2 + C^2})"), offset("d");
+  const Direction phase;
+  const exmap at_the_top = {{B, swing * phase.radial}, {C, swing * phase.axial}};
+  const exmap then = {{c, phase.radial}, {sine, phase.axial}};
+  const ex bend = formula::greatest_bend<ex>(offset, rate, B, C);
+  document.prove({.text = R"(it is $-d\,u''$ where $u$ is greatest, $\cos\Omega t : \sin\Omega t = B : C$)",
+                  .result = bend,
+                  .witness = (-offset * in_letters(u.diff(time, 2))).subs(then).subs(at_the_top),
+                  .meaning = at_the_top,
+                  .controls = scaled(bend)});
   // u = 2k/(1 + k²) on the rim, so that √(1 − u²) is rational.
   const possymbol k("k");
   const ex on_rim = 2 * k / (1 + pow(k, 2));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <goishi/mass/inertia_table.hpp>
 #include <iomanip>
@@ -97,6 +98,44 @@ TEST(CertifyTable, MissesARow) {
   EXPECT_EQ(certify_table(text + last).faults.size(), 2U);  // twice, and too many
 }
 
+/// The head, and the rows that contain the text.
+std::string rows_of(const std::string& table, const std::string& text) {
+  std::istringstream lines(table);
+  std::string result;
+  for (std::string line; std::getline(lines, line);) {
+    result += result.empty() || line.find(text) != std::string::npos ? line + '\n' : "";
+  }
+  return result;
+}
+
+TEST(CertifyTable, AWholeOneHasBothColorsSharpAndBevelled) {
+  EXPECT_TRUE(certify_table(csv_of(), true).faults.empty());
+  for (const char* part : {",white,", ",black,", ",0,", ",0.001,"}) {
+    const std::string half = rows_of(csv_of(), part);
+    EXPECT_TRUE(certify_table(half).faults.empty()) << part;
+    EXPECT_EQ(certify_table(half).certified, 56) << part;
+    EXPECT_EQ(certify_table(half, true).faults.size(), 2U) << part;
+  }
+}
+
+TEST(CertifyTable, AUnitIsOneOfTheQuantity) {
+  const auto certify = [](const std::string& head, const std::string& row) {
+    return certify_table("number,color,bevel_m," + head + "\n22,white,0," + row + "\n").certified;
+  };
+  EXPECT_EQ(certify("axial_per_mass_m2", "0.000040896317"), 2);
+  EXPECT_EQ(certify("axial_per_mass_cm2", "0.40896317"), 2);
+  EXPECT_THROW((void)certify("axial_per_mass_kg_m2", "0.000040896317"), std::runtime_error);
+  EXPECT_THROW((void)certify("width_kg", "0.022"), std::runtime_error);
+  EXPECT_THROW((void)certify("density_g", "2800000"), std::runtime_error);
+}
+
+TEST(CertifyTable, AStoneIsNamedToTheLetter) {
+  for (const std::string row : {"22,blakc,0,0.022", "22a,white,0,0.022", " ,white,0,0.022", "22,white,0x,0.022",
+                                "22,white,1mm,0.022", "22,white,inf,0.022", "22,white,nan,0.022"}) {
+    EXPECT_THROW((void)certify_table("number,color,bevel_m,width_m\n" + row + "\n"), std::runtime_error) << row;
+  }
+}
+
 TEST(CertifyTable, SaysWhatItCannotRead) {
   EXPECT_THROW((void)certify_table(""), std::runtime_error);
   EXPECT_THROW((void)certify_table("number,color\n"), std::runtime_error);
@@ -116,6 +155,23 @@ TEST(ReadTable, MarkerFixesColumns) {
   EXPECT_EQ(table.columns[2].key, "height");
   EXPECT_EQ(table.columns[2].unit, "cm");
   EXPECT_EQ(table.rows, (std::vector<std::vector<std::string>>{{"22", "2.2", "0.63", "white", "0"}}));
+}
+
+TEST(ReadTable, TheMarkersBevelMayHaveAUnit) {
+  const auto certified = [](const std::string& bevel) {
+    std::string text = "<!-- goishi table --bevel " + bevel + " -->\n\n| size | color | height [m] |\n|---|---|---|\n";
+    for (const catalogue::Size& size : catalogue::sizes) {
+      text += "| " + std::to_string(size.number) + " | white | " +
+              std::to_string(metres<double>(catalogue_stone(size.number, StoneColor::white).height)) + " |\n";
+    }
+    return read_marked_table(text);
+  };
+  for (const auto& [bevel, cell, unit] :
+       {std::array{"1mm", "1", "mm"}, std::array{"0.001", "0.001", "m"}, std::array{"0.1cm", "0.1", "cm"}}) {
+    const TableText table = certified(bevel);
+    EXPECT_EQ(table.columns.back().unit, unit);
+    EXPECT_EQ(table.rows.back().back(), cell);
+  }
 }
 
 TEST(Sentences, AreFoundAndJudged) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+#include <vector>
+
 #include "verify/oracles/ordered_ball.hpp"
 #include "verify/oracles/rigorous_integral.hpp"
 
@@ -92,6 +95,23 @@ TEST(OrderedBall, GoesBothWaysWhereItCannot) {
             std::vector<bool>({false, true}));
   const auto paths = every_outcome([&] { return 2 * int(root < OrderedBall(2)) + int(OrderedBall(2) < root); });
   EXPECT_EQ(paths, std::vector<int>({0, 2, 1, 3}));
+}
+
+TEST(OrderedBall, AnswersNothingElse) {
+  const OrderedBall root(sqrt(Ball(2)) * sqrt(Ball(2)));
+  const auto ask = [&] { return root < OrderedBall(2); };
+  EXPECT_THROW((void)ask(), std::runtime_error);
+  EXPECT_EQ(every_outcome(ask).size(), 2U);
+  EXPECT_THROW((void)ask(), std::runtime_error);  // the exploration is over
+  const auto ask_often = [&](int times) {
+    for (int i = 0; i < times; ++i) {
+      (void)ask();
+    }
+    return 0;
+  };
+  EXPECT_EQ(every_outcome([&] { return ask_often(8); }).size(), 256U);
+  EXPECT_THROW((void)every_outcome([&] { return ask_often(9); }), std::runtime_error);
+  EXPECT_THROW((void)ask(), std::runtime_error);
 }
 
 }  // namespace

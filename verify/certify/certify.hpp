@@ -13,8 +13,9 @@ struct Outcome {
   std::vector<std::string> faults;  // numbers that are not, and whatever else is wrong, each in a sentence
 };
 
-/// A table that `goishi table` printed with the catalogue's densities: every number, and that no stone is missing.
-[[nodiscard]] Outcome certify_table(std::string_view text);
+/// A table that `goishi table` printed with the catalogue's densities: every number, and that each colour and bevel
+/// that occurs has all sizes. In a `whole` table white and black, sharp and with b = 1 mm, must all occur.
+[[nodiscard]] Outcome certify_table(std::string_view text, bool whole = false);
 
 /// A document for people: the table below its marker `<!-- goishi table … -->`, and the exact results in its sentences,
 /// each of which must stand there. Measured figures (errors, times) and what a simulated drop prints cannot be

@@ -26,7 +26,8 @@ std::string read(const std::string& file) {
   return text;
 }
 
-bool judge_file(const std::string& file, Outcome (*judge)(std::string_view)) {
+template <class Judge>
+bool judge_file(const std::string& file, Judge&& judge) {
   const std::string text = read(file);
   const std::string name = file == "-" ? "standard input" : file;
   Outcome outcome;
@@ -49,8 +50,7 @@ bool judge_file(const std::string& file, Outcome (*judge)(std::string_view)) {
 CLI::App* define_certify(CLI::App& app, Options& options) {
   CLI::App* certify = app.add_subcommand("certify",
                                          "Certifies printed numbers: each is the correctly rounded decimal of an "
-                                         "enclosure, by Arb's rigorous integration of "
-                                         "the stone's profile.");
+                                         "enclosure, by Arb's rigorous integration of the stone's profile.");
   certify
       ->add_option("files", options.tables,
                    "what goishi table printed, with the catalogue's densities, in any format; -: standard input")
@@ -60,9 +60,12 @@ CLI::App* define_certify(CLI::App& app, Options& options) {
                    "a README: the table below its marker, and the exact results in its sentences")
       ->type_name("FILE")
       ->allow_extra_args(false);
+  certify->add_flag("--whole", options.whole,
+                    "a table must have white and black stones, sharp and with b = 1 mm; else each color and bevel that "
+                    "occurs must have all sizes");
   certify->footer(
       "Exit status: 0 every number is certified, 1 one is not, or no table is found, 2 bad usage.\n"
-      "Example: goishi table --format csv | goishi-verify certify -");
+      "Example: goishi table --format csv | goishi-verify certify --whole -");
   return certify;
 }
 
@@ -72,7 +75,7 @@ bool run_certify_command(const Options& options) {
   }
   bool all = true;
   for (const std::string& file : options.tables) {
-    all = judge_file(file, certify_table) && all;
+    all = judge_file(file, [&](std::string_view text) { return certify_table(text, options.whole); }) && all;
   }
   for (const std::string& file : options.documents) {
     all = judge_file(file, certify_document) && all;

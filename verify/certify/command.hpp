@@ -11,6 +11,7 @@ namespace goishi::verify::certify {
 struct Options {
   std::vector<std::string> tables;     // files, "-": standard input
   std::vector<std::string> documents;  // files
+  bool whole = false;                  // tables must have both colours, sharp and bevelled
 };
 
 /// The subcommand, with its options.

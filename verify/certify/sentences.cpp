@@ -70,24 +70,19 @@ Ball published_minor_radius(const Meridian& lens, const Ball& bevel) {
   return Ball(1000) * (r - sqrt(d * d + major * major));
 }
 
-/// In cm², of white size 33.
-struct PerMass {
-  Ball axial, transverse;
-};
-
-PerMass per_mass(const CatalogueStone& entry) {
-  const StoneWitness stone = witness_of(entry, 0);
-  const auto value = [&](std::string_view key) {
-    return decimal("1e4") * std::ranges::find(stone, key, &Quantity::key)->exact;
-  };
-  return {value("axial_per_mass"), value("transverse_per_mass")};
+Ball value_of(const StoneWitness& stone, std::string_view key) {
+  return std::ranges::find(stone, key, &Quantity::key)->exact;
 }
 
 }  // namespace
 
 std::vector<Sentence> exact_results() {
   const CatalogueStone size_33 = catalogue_stone(33, StoneColor::white);
-  const auto [axial, transverse] = per_mass(size_33);
+  const StoneWitness sharp = witness_of(size_33, 0);
+  const StoneWitness bevelled = witness_of(size_33, catalogue::table_bevel);
+  const Ball square_centimetres = decimal("1e4");
+  const Ball axial = square_centimetres * value_of(sharp, "axial_per_mass");
+  const Ball transverse = square_centimetres * value_of(sharp, "transverse_per_mass");
   const auto percent_low = [](const char* printed, const Ball& right) {
     return Ball(100) * (Ball(1) - decimal(printed) / right);
   };
@@ -95,13 +90,15 @@ std::vector<Sentence> exact_results() {
              b = metres<Ball>(catalogue::table_bevel);
   const SpinWitness spin(size_33, decimal("9.80665"));
   return {
+      {"The white stone of size 33, bevel 0.001 m, dropped on the board mass {} kg (density assumed)",
+       {value_of(bevelled, "mass")}},
       {"right is diag({}, {}, {})", {transverse, axial, transverse}},
       {"Both prints are {} % low", {percent_low("0.304776", axial)}},
       {"Both prints are {} % low", {percent_low("0.177721", transverse)}},
       {"Both prints are {} % low", {percent_low("0.303588", axial)}},
       {"a minor radius of {} mm where {} mm touches",
        {published_minor_radius(lens_meridian(w, h), b), Ball(1000) * bevelled_meridian(w, h, b).tube_radius}},
-      {"threshold, {} rad/s; settling tilts {}°, {}°, {}°",
+      {"threshold, {} rad/s; settling tilts from 30, 40 and 60 rad/s: {}°, {}°, {}°",
        {spin.threshold(), spin.settling_tilt(Ball(30)), spin.settling_tilt(Ball(40)), spin.settling_tilt(Ball(60))}}};
 }
 

@@ -17,7 +17,7 @@ struct Sentence {
   std::vector<Ball> exact;
 };
 
-/// What README.md states of exact results: inertia of size 33, the bevel's minor radius, spins and tilts.
+/// What README.md states of exact results: inertia and mass of size 33, the bevel's minor radius, spins and tilts.
 [[nodiscard]] std::vector<Sentence> exact_results();
 
 /// Finds each sentence, however its lines are broken, and certifies its numbers; one that is missing is a fault.

@@ -206,6 +206,15 @@ TableText checked(TableText table) {
   return table;
 }
 
+/// A length of the command line, "1mm" or, in metres, "0.001", as a cell below its unit.
+void move_unit(std::string& cell, Column& column) {
+  const std::size_t unit = cell.find_last_not_of("abcdefghijklmnopqrstuvwxyz") + 1;
+  if (unit < cell.size()) {
+    column.unit = cell.substr(unit);
+    cell.erase(unit);
+  }
+}
+
 }  // namespace
 
 TableText read_table(std::string_view text) {
@@ -241,6 +250,11 @@ TableText read_marked_table(std::string_view document) {
   };
   fix("--color", {"color", "", false});
   fix("--bevel", {"bevel", "m", false});
+  if (table.columns.back().key == "bevel") {
+    for (Cells& row : table.rows) {
+      move_unit(row.back(), table.columns.back());
+    }
+  }
   return checked(table);
 }
 

@@ -187,13 +187,14 @@ Question draw_question(std::mt19937_64& random, int i) {
   return question;
 }
 
-/// A ball around a number of 50 digits: ± 1e-40 for its own roundings, in units of the number's scale. Flights of
+/// A ball around a number of 50 digits: ± 1e-40 (1 + |x|) for its own roundings, x in units of its scale. Flights of
 /// some hundred radians, and distances from far points, lose ten.
 Ball around(const Digits50& value) {
   Ball ball = Ball::from_decimal(value.str(55, std::ios_base::scientific));
   const Ball error = Ball::from_decimal("1e-40");
-  const Ball whole = Ball(1) + ball * ball;
-  arb_add_error(ball.get(), (error * whole).get());
+  Ball magnitude;
+  arb_abs(magnitude.get(), ball.get());
+  arb_add_error(ball.get(), (error * (Ball(1) + magnitude)).get());
   return ball;
 }
 
@@ -248,7 +249,7 @@ std::vector<Claim> enclosure_branch_claims() {
            "free flight) meet themselves in 50 digits, each of their choices proved by the balls and each made.",
        .function = "make_stone, mass_properties, inertia_tensor, support, closest_point, separation, free_flight",
        .family = OracleFamily::independent,
-       .oracle = "Boost.Multiprecision, 50 digits, ± 1e-40 for its own roundings",
+       .oracle = "Boost.Multiprecision, 50 digits, ± 1e-40 (1 + |x|) for its own roundings",
        .unit = "enclosures missed, choices not proved or never made",
        .bound = 0.0,
        .reason = "an enclosure meets the 50-digit value or it does not",

@@ -15,8 +15,10 @@
 
 namespace goishi::verify {
 
-/// How comparisons that the balls do not decide are answered, in this thread.
+/// How comparisons that the balls do not decide are answered, in this thread: outside `every_outcome`, not at all.
 struct Undecided {
+  static constexpr unsigned most_open = 8;
+  bool exploring = false;
   unsigned answers = 0;  // bit i: to the i-th one
   unsigned asked = 0;
 
@@ -24,7 +26,12 @@ struct Undecided {
     thread_local Undecided state;
     return state;
   }
-  bool answer() { return ((answers >> asked++) & 1U) != 0; }
+  bool answer() {
+    if (!exploring || most_open <= asked) {
+      throw std::runtime_error("a comparison that balls do not decide");
+    }
+    return ((answers >> asked++) & 1U) != 0;
+  }
 };
 
 class OrderedBall {
@@ -66,19 +73,31 @@ class OrderedBall {
   Ball ball_;
 };
 
+/// While it lives, undecided comparisons are answered; then as before.
+class Exploration {
+ public:
+  Exploration() = default;
+  Exploration(const Exploration&) = delete;
+  Exploration& operator=(const Exploration&) = delete;
+  ~Exploration() { Undecided::now() = before_; }
+
+  static void start(unsigned answers) { Undecided::now() = {.exploring = true, .answers = answers, .asked = 0}; }
+
+ private:
+  Undecided before_ = Undecided::now();
+};
+
 /// What f returns for each way to answer the comparisons that the balls leave open; one result where they leave none.
+/// Throws where one run leaves more than `Undecided::most_open` open.
 template <class F>
 [[nodiscard]] auto every_outcome(F&& f) {
-  constexpr unsigned most_open = 8;
+  const Exploration exploration;
   std::vector<std::invoke_result_t<F>> results;
   unsigned open = 0;
   for (unsigned answers = 0; (answers >> open) == 0; ++answers) {
-    Undecided::now() = {.answers = answers, .asked = 0};
+    Exploration::start(answers);
     results.push_back(f());
     open = std::max(open, Undecided::now().asked);
-    if (most_open < open) {
-      throw std::runtime_error("an algorithm asks too much that balls cannot answer");
-    }
   }
   return results;
 }

@@ -8,7 +8,8 @@
 
 namespace goishi::verify {
 
-/// A stone's meridian in the half-plane (ρ, z); z < 0 by reflection. Angles are those of the normal from the axis.
+/// A stone's meridian in the half-plane (ρ, z); z < 0 by reflection. Lengths in m; angles, of the normal from the
+/// axis, in rad.
 struct Meridian {
   Ball height;
   Ball sphere_radius;  // of the cap, an arc about (0, −sphere_offset) from angle 0 to the joint
@@ -19,21 +20,21 @@ struct Meridian {
   bool bevelled = false;  // else the cap reaches the rim, and the tube is a point there
 };
 
-/// The lens of width w and height h.   Domain  0 < h <= w.
+/// The lens of width w and height h, both in m.   Domain  0 < h <= w.
 [[nodiscard]] Meridian lens_meridian(const Ball& width, const Ball& height);
 
-/// The same, its rim bevelled with height b.   Domain  0 < b < h <= w.
+/// The same, its rim bevelled with height b   [m].   Domain  0 < b < h <= w.
 [[nodiscard]] Meridian bevelled_meridian(const Ball& width, const Ball& height, const Ball& bevel);
 
-/// Diameter of the finished stone.
+/// Diameter of the finished stone   [m].   Domain  a meridian of either function above.
 [[nodiscard]] Ball greatest_width(const Meridian& meridian);
 
-/// At density 1, about the centre of mass.
+/// Moments per density, about the centre of mass.
 struct EnclosedIntegrals {
-  Ball volume;
-  Ball surface_area;
-  Ball axial;
-  Ball transverse;
+  Ball volume;        // [m³]
+  Ball surface_area;  // [m²]
+  Ball axial;         // [m⁵]
+  Ball transverse;    // [m⁵]
 };
 
 /// Enclosures, some 30 digits narrow. Never wrong: where Arb cannot narrow one, it is wide.

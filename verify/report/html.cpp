@@ -29,7 +29,7 @@ std::string head(const std::string& title) {
   out += page::style();
   out += fmt::format("@media screen and (prefers-color-scheme: dark) {{ {} }}\n", svg_dark_colours());
   out += "</style>\n</head>\n<body>\n<header>\n";
-  return out.append(emblem) + "\n<h1>Goishi <span>shape and mass of Go stones, verified</span></h1>\n";
+  return out.append(emblem) + "\n<h1>Goishi <span>shape, mass and motion of Go stones, verified</span></h1>\n";
 }
 
 constexpr std::string_view foot = "</main>\n</body>\n</html>\n";

@@ -35,6 +35,17 @@ enum class ImpactStatus {
   return names[static_cast<std::size_t>(status)];
 }
 
+namespace formula {
+
+/// The most that a turning stone adds to |H''|, H its gap along a normal   [m/s²]: d Ω² √(B² + C²), where the axis stands
+/// to the normal as u · n = A + B cos Ωt + C sin Ωt.   Proof  derivations/support.cpp.
+template <Elementary T>
+[[nodiscard]] T greatest_bend(const T& sphere_offset, const T& rate, const T& B, const T& C) {
+  return T(sphere_offset * scalar::sq(rate) * scalar::sqrt(T(scalar::sq(B) + scalar::sq(C))));
+}
+
+}  // namespace formula
+
 namespace detail {
 
 template <Ordered T>
@@ -77,7 +88,7 @@ class GapAlong {
   void add(const Wobble<T>& part) {
     parts_[static_cast<std::size_t>(count_++)] = part;
     const T swing = scalar::sqrt(T(scalar::sq(part.B) + scalar::sq(part.C)));
-    bend_ = bend_ + part.stone->sphere_offset * scalar::sq(part.rate) * swing;
+    bend_ = bend_ + formula::greatest_bend(part.stone->sphere_offset, part.rate, part.B, part.C);
     const T least = magnitude_of(part.A) - swing;
     highest_ = highest_ + support_at(*part.stone, least < T(0) ? T(0) : least);
   }
