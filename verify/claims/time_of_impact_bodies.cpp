@@ -136,8 +136,8 @@ std::vector<Claim> time_of_impact_body_claims() {
        .reason = "the search ends when the separation is within 64 ε of the width",
        .resolution = epsilon / 2.0,
        .mutants = {{"contact/time_of_impact.hpp", "detail::reach_of(board, contact.n_W)", "T(0)"},
-                   {"contact/flight_path.hpp", "bend_ = bend_ + part.stone->sphere_offset",
-                    "bend_ = bend_ + part.stone->sphere_offset / T(8)"}},
+                   {"contact/flight_path.hpp", "formula::greatest_bend(part.stone->sphere_offset",
+                    "formula::greatest_bend<T>(part.stone->sphere_offset / T(8)"}},
        .measure = measure_board},
       {.id = "TOI-5",
        .statement =
