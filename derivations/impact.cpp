@@ -10,13 +10,6 @@ namespace {
 
 using namespace derivation;
 
-/// Three letters, printed with the indices x, y, z: a number is that of a body.
-Vector letters_xyz(const std::string& name, const std::string& of_body = "") {
-  const std::string index = name + "_{" + (of_body.empty() ? "" : of_body + ",");
-  const auto letter = [&](int i) { return realsymbol(repeated(name + of_body, i + 2), index + "xyz"[i] + "}"); };
-  return {letter(0), letter(1), letter(2)};
-}
-
 /// Any body at the moment of an impact.
 Body body_letters(const std::string& which = "") {
   const std::string index = which.empty() ? "" : "_" + which;

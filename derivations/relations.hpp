@@ -38,6 +38,13 @@ inline Vector letters(const std::string& name) {
   return {letter(name, 1), letter(name, 2), letter(name, 3)};
 }
 
+/// The same, printed with the indices x, y, z; a number of a body may stand before them.
+inline Vector letters_xyz(const std::string& name, const std::string& of_body = "") {
+  const std::string index = name + "_{" + (of_body.empty() ? "" : of_body + ",");
+  const auto letter = [&](int i) { return realsymbol(repeated(name + of_body, i + 2), index + "xyz"[i] + "}"); };
+  return {letter(0), letter(1), letter(2)};
+}
+
 inline Vector positive_letters(const std::string& name) {
   const auto positive = [&](int index) {
     return possymbol(repeated(name, index + 1), name + "_" + std::to_string(index));

@@ -12,9 +12,7 @@ namespace {
 using namespace derivation;
 
 void laws(Document& document) {
-  const Vector b(realsymbol("bb", "b_x"), realsymbol("bbb", "b_y"), realsymbol("bbbb", "b_z"));
-  const Vector need(realsymbol("kx", R"(\mathrm{need}_x)"), realsymbol("ly", R"(\mathrm{need}_y)"),
-                    realsymbol("mz", R"(\mathrm{need}_z)"));
+  const Vector b = letters_xyz("b"), need = letters_xyz(R"(\mathrm{need})");
   document.section("Dry friction");
   document.text(
       R"($F = N q$, $q = (-\mu c, -\mu s, 1)$, against a slip $\sigma(c, s)$, $c = \cos\varphi$, $s = \sin\varphi$.

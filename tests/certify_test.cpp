@@ -187,10 +187,10 @@ TEST(Sentences, AreFoundAndJudged) {
   EXPECT_EQ(judged("It is diag(0.33; 0.667).").faults.size(), 1U);
 }
 
-TEST(SpinWitness, BelowTheThresholdNothingRises) {
-  const SpinWitness spin(catalogue_stone(33, StoneColor::white), Ball::from_decimal("9.80665"));
-  EXPECT_NEAR(static_cast<double>(spin.threshold()), 27.930, 5e-4);
-  EXPECT_THROW((void)spin.settling_tilt(Ball(27)), std::runtime_error);
+TEST(SettlingTilt, BelowTheThresholdNothingRises) {
+  const SpinningCap<Ball> stone = spinning_cap(catalogue_stone(33, StoneColor::white), Ball::from_decimal("9.80665"));
+  EXPECT_NEAR(static_cast<double>(stone.threshold()), 27.930, 5e-4);
+  EXPECT_THROW((void)settling_tilt(stone, Ball(27)), std::runtime_error);
 }
 
 }  // namespace

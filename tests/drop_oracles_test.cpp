@@ -36,7 +36,7 @@ Rocker size_33() {
           .gravity = g};
 }
 
-SpinningCap spinning_size_33() {
+SpinningCap<Long> spinning_size_33() {
   const Rocker rocker = size_33();
   return {.r = rocker.sphere_radius,
           .d = rocker.sphere_offset,
@@ -87,12 +87,12 @@ TEST(Wobble, ABallThatSlidesComesToRoll) {
 }
 
 TEST(Spin, ThresholdAndSettlingTiltsAreThePublishedOnes) {
-  const SpinningCap stone = spinning_size_33();
+  const SpinningCap<Long> stone = spinning_size_33();
   EXPECT_NEAR(static_cast<double>(stone.threshold()), 27.930, 5e-4);
   const Long spins[] = {30, 40, 60};
   const double tilts[] = {9.116, 22.035, 35.970};
   for (int i = 0; i < 3; ++i) {
-    const Long z = stone.settling_height(stone.axial * spins[i] * (stone.r - stone.d));
+    const Long z = settling_height(stone, stone.axial * spins[i] * (stone.r - stone.d));
     EXPECT_NEAR(static_cast<double>(std::acos(z) * 180 / pi), tilts[i], 5e-4);
   }
 }
@@ -108,7 +108,7 @@ TEST(Spin, WithoutSpinTheSwingIsAQuarterOfRocking) {
 // --- touching_body: x, y, θ, φ, ψ, ẋ, ẏ, θ̇, p_φ, p_ψ
 
 TouchingBody touching_size_33(TouchingBody::Law law, Long mu) {
-  const SpinningCap stone = spinning_size_33();
+  const SpinningCap<Long> stone = spinning_size_33();
   return {.hull = narrow(construct_hull(0.022, 0.0092, 0)),
           .axial = stone.axial,
           .transverse = stone.transverse,
@@ -156,7 +156,7 @@ TEST(TouchingBody, RollingKeepsEnergy) {
 
 TEST(TouchingBody, FrictionOnTheCapKeepsJellettsIntegral) {
   const TouchingBody body = touching_size_33(TouchingBody::Law::slip_proportional, 0);
-  const SpinningCap stone = spinning_size_33();
+  const SpinningCap<Long> stone = spinning_size_33();
   const auto jellett = [&](const TouchingState& y) { return stone.d * y[9] - stone.r * y[8]; };
   const TouchingState start = {0, 0, 0.3L, 0, 0, 0.02L, -0.01L, 0, stone.axial * 30, stone.axial * 29};
   const TouchingPath path = follow(body, start, 0.05L);

@@ -38,7 +38,7 @@ struct Pebble {
   [[nodiscard]] Rocker rocker(double gravity = g_earth) const {
     return {shape.sphere_radius, shape.sphere_offset, shape.torus_radius, shape.tube_radius, transverse, gravity};
   }
-  [[nodiscard]] SpinningCap cap(double gravity = g_earth) const {
+  [[nodiscard]] SpinningCap<Long> cap(double gravity = g_earth) const {
     return {shape.sphere_radius, shape.sphere_offset, axial, transverse, gravity};
   }
 };

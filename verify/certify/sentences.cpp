@@ -7,6 +7,7 @@
 
 #include "verify/certify/printed.hpp"
 #include "verify/certify/witness.hpp"
+#include "verify/oracles/published_bevel.hpp"
 
 namespace goishi::verify::certify {
 
@@ -61,15 +62,6 @@ std::optional<std::vector<std::string>> find_numbers(std::string_view text, cons
   return std::nullopt;
 }
 
-/// r₂ by the published function, in mm: P_x = √(r² + y²) where it should be √(r² − y²).
-Ball published_minor_radius(const Meridian& lens, const Ball& bevel) {
-  const Ball& r = lens.sphere_radius;
-  const Ball& d = lens.sphere_offset;
-  const Ball y = d + bevel / Ball(2);
-  const Ball major = sqrt(r * r + y * y) * d / y;
-  return Ball(1000) * (r - sqrt(d * d + major * major));
-}
-
 Ball value_of(const StoneWitness& stone, std::string_view key) {
   return std::ranges::find(stone, key, &Quantity::key)->exact;
 }
@@ -88,18 +80,20 @@ std::vector<Sentence> exact_results() {
   };
   const Ball w = metres<Ball>(size_33.width), h = metres<Ball>(size_33.height),
              b = metres<Ball>(catalogue::table_bevel);
-  const SpinWitness spin(size_33, decimal("9.80665"));
-  return {
-      {"The white stone of size 33, bevel 0.001 m, dropped on the board mass {} kg (density assumed)",
-       {value_of(bevelled, "mass")}},
-      {"right is diag({}, {}, {})", {transverse, axial, transverse}},
-      {"Both prints are {} % low", {percent_low("0.304776", axial)}},
-      {"Both prints are {} % low", {percent_low("0.177721", transverse)}},
-      {"Both prints are {} % low", {percent_low("0.303588", axial)}},
-      {"a minor radius of {} mm where {} mm touches",
-       {published_minor_radius(lens_meridian(w, h), b), Ball(1000) * bevelled_meridian(w, h, b).tube_radius}},
-      {"threshold, {} rad/s; settling tilts from 30, 40 and 60 rad/s: {}°, {}°, {}°",
-       {spin.threshold(), spin.settling_tilt(Ball(30)), spin.settling_tilt(Ball(40)), spin.settling_tilt(Ball(60))}}};
+  const Meridian lens = lens_meridian(w, h);
+  const PublishedBevel<Ball> published(lens.sphere_radius, lens.sphere_offset, b);
+  const SpinningCap<Ball> spinning = spinning_cap(size_33, decimal("9.80665"));
+  return {{"The white stone of size 33, bevel 0.001 m, dropped on the board mass {} kg (density assumed)",
+           {value_of(bevelled, "mass")}},
+          {"right is diag({}, {}, {})", {transverse, axial, transverse}},
+          {"Both prints are {} % low", {percent_low("0.304776", axial)}},
+          {"Both prints are {} % low", {percent_low("0.177721", transverse)}},
+          {"Both prints are {} % low", {percent_low("0.303588", axial)}},
+          {"a minor radius of {} mm where {} mm touches",
+           {Ball(1000) * published.minor_radius, Ball(1000) * bevelled_meridian(w, h, b).tube_radius}},
+          {"threshold, {} rad/s; settling tilts from 30, 40 and 60 rad/s: {}°, {}°, {}°",
+           {spinning.threshold(), settling_tilt(spinning, Ball(30)), settling_tilt(spinning, Ball(40)),
+            settling_tilt(spinning, Ball(60))}}};
 }
 
 void judge_sentences(std::string_view document, const std::vector<Sentence>& sentences, Outcome& outcome) {

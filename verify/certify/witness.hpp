@@ -9,6 +9,7 @@
 
 #include "verify/oracles/ball.hpp"
 #include "verify/oracles/rigorous_integral.hpp"
+#include "verify/oracles/spin.hpp"
 
 namespace goishi::verify::certify {
 
@@ -23,20 +24,11 @@ using StoneWitness = std::array<Quantity, 12>;
 /// The catalogue's stone with a bevel of whole micrometres, 0: sharp.
 [[nodiscard]] StoneWitness witness_of(const CatalogueStone& entry, int bevel);
 
-/// A stone that spins on its cap, per unit of mass: what tippe-top theory says of it, enclosed.
-class SpinWitness {
- public:
-  SpinWitness(const CatalogueStone& entry, const Ball& gravity);
+/// The sharp stone that spins on its cap, enclosed.
+[[nodiscard]] SpinningCap<Ball> spinning_cap(const CatalogueStone& entry, const Ball& gravity);
 
-  /// The least flat spin that makes it rise   [rad/s]: ω² = g d (1 − α)²/(I_t − I_a (1 − α)), α = d/r.
-  [[nodiscard]] Ball threshold() const;
-  /// The tilt where it settles from a flat spin   [°]: its cosine z solves g d D² = J² [I_t r² z + I_a r (d − r z)],
-  /// D = I_t r² (1 − z²) + I_a (d − r z)², J = I_a ω (d − r). A sign change between the ends of the enclosure proves
-  /// that a solution lies there; that the stone goes to it is for DROP-8.
-  [[nodiscard]] Ball settling_tilt(const Ball& spin) const;
-
- private:
-  Ball radius_, offset_, axial_, transverse_, gravity_;
-};
+/// The tilt where it settles from a flat spin   [°]. A sign change between the ends of the enclosure proves that a solution
+/// lies there; that the stone goes to it is for DROP-8. Throws std::runtime_error if the spin is not above the threshold.
+[[nodiscard]] Ball settling_tilt(const SpinningCap<Ball>& stone, const Ball& spin);
 
 }  // namespace goishi::verify::certify

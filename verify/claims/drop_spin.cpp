@@ -59,7 +59,7 @@ struct Settled {
 Settled settle(const Context& context, const Pebble& pebble, double spin, double tolerance) {
   const State<double> start = spun(pebble, 1e-3, spin);
   const Drop<double> dropped = drop(pebble, start, slip_proportional(3.0, tolerance), 20);
-  const Long z = pebble.cap().settling_height(witnessed(pebble, start).jellett);
+  const Long z = settling_height(pebble.cap(), witnessed(pebble, start).jellett);
   return {as_double(std::acos(z)), context.produced(as_double(witnessed(pebble, dropped.state).tilt))};
 }
 
@@ -85,9 +85,9 @@ Measurement measure_settling(Context& context) {
             .y_label = "tilt [°]",
             .series = {{.name = "by Jellett's integral", .points = {}},
                        {.name = "dropped", .points = {}, .line = false, .look = Look::star}}};
-  const SpinningCap cap = pebble.cap();
+  const SpinningCap<Long> cap = pebble.cap();
   for (int spin = 20; spin <= 70; ++spin) {
-    const Long z = cap.threshold() < spin ? cap.settling_height(cap.axial * spin * (cap.d - cap.r)) : 1;
+    const Long z = cap.threshold() < spin ? settling_height(cap, cap.axial * spin * (cap.d - cap.r)) : 1;
     plot.series[0].points.emplace_back(spin, as_double(std::acos(z)) / degree);
     if (spin % 10 == 0) {
       plot.series[1].points.emplace_back(spin, settle(context, pebble, spin, 1e-7).found / degree);

@@ -54,10 +54,6 @@ struct Box {
   }
 };
 
-bool is_positive(const Ball& x) {
-  return arb_is_positive(x.get()) != 0;
-}
-
 Stone<Ball> stone_of(const Box& box) {
   return formula::bevelled_stone(box.width(), Ball(1), box.bevel(), formula::sphere_offset(box.width(), Ball(1)));
 }
@@ -70,22 +66,22 @@ bool has_positive_lengths(const Box& box, const Ball& factor) {
       &stone.sphere_offset,      &stone.bevel_major_radius, &stone.bevel_minor_radius,
       &stone.core_sphere_radius, &stone.joint_radius,       &stone.joint_cosine,
       &stone.joint_sine,         &stone.sphere_radius,      &measured};
-  return std::ranges::all_of(lengths, [&](const Ball* length) { return is_positive(factor * *length); });
+  return std::ranges::all_of(lengths, [&](const Ball* length) { return (factor * *length).is_positive(); });
 }
 
 /// The joint is inside the rim, the finished stone narrower than its lens; area, volume and moments are positive.
 bool is_a_body(const Box& box, const Ball& factor) {
   const Stone<Ball> stone = stone_of(box);
   const Ball half = box.width() / Ball(2);
-  if (!is_positive(half - factor * stone.joint_radius) ||
-      !is_positive(half - factor * (outer_width(stone) / Ball(2)))) {
+  if (!(half - factor * stone.joint_radius).is_positive() ||
+      !(half - factor * (outer_width(stone) / Ball(2))).is_positive()) {
     return false;
   }
   const auto terms = formula::bevel_terms(stone, scalar::atan2(stone.joint_sine, stone.joint_cosine));
   const Moments<Ball> moments = formula::bevelled_moments(stone, terms);
-  return is_positive(factor * formula::bevelled_volume(stone, terms)) &&
-         is_positive(factor * formula::bevelled_surface_area(stone, terms)) && is_positive(factor * moments.axial) &&
-         is_positive(factor * moments.transverse);
+  return (factor * formula::bevelled_volume(stone, terms)).is_positive() &&
+         (factor * formula::bevelled_surface_area(stone, terms)).is_positive() &&
+         (factor * moments.axial).is_positive() && (factor * moments.transverse).is_positive();
 }
 
 /// No moment exceeds the sum of the others.
@@ -93,7 +89,7 @@ bool obeys_triangle(const Box& box, const Ball& factor) {
   const Stone<Ball> stone = stone_of(box);
   const auto terms = formula::bevel_terms(stone, scalar::atan2(stone.joint_sine, stone.joint_cosine));
   const Moments<Ball> moments = formula::bevelled_moments(stone, terms);
-  return is_positive(Ball(2) * moments.transverse - factor * moments.axial);
+  return (Ball(2) * moments.transverse - factor * moments.axial).is_positive();
 }
 
 using Property = bool (*)(const Box&, const Ball&);

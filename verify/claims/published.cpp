@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "verify/claims/claims.hpp"
+#include "verify/oracles/published_bevel.hpp"
 
 namespace goishi::verify {
 
@@ -152,22 +153,11 @@ Measurement measure_low(Context& context) {
   return result;
 }
 
-/// CalculateBevel as published, but for its argument list. [cm]
-struct PublishedBevel {
-  double major_radius, minor_radius;
-};
-PublishedBevel published_bevel(double r, double d, double b) {
-  const double y = b / 2.0 + d;
-  const double px = std::sqrt(y * y + r * r);
-  const double r1 = px * d / (d + b / 2.0);
-  return {r1, r - std::sqrt(d * d + r1 * r1)};
-}
-
 Measurement measure_bevel(Context& context) {
   // In mm.
   const double r = lens_radius(22.0, 9.2);
   const double d = r - 4.6;
-  const PublishedBevel wrong = published_bevel(r, d, 1.0);
+  const PublishedBevel<double> wrong(r, d, 1.0);
   const Stone<double> right = make_stone(22.0, 9.2, 1.0);
   const double r1 = context.produced(right.bevel_major_radius);
   const double r2 = context.produced(right.bevel_minor_radius);

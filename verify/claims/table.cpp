@@ -6,6 +6,7 @@
 #include <array>
 #include <goishi/mass/inertia.hpp>
 #include <goishi/mass/inertia_table.hpp>
+#include <tuple>
 
 #include "verify/certify/printed.hpp"
 #include "verify/certify/witness.hpp"
@@ -16,16 +17,16 @@ namespace goishi::verify {
 
 namespace {
 
-using certify::is_the_nearest;
+using certify::StoneWitness;
 
-struct Entry {
-  const char* name;
-  double shipped;
-  Ball exact;
-};
+/// The row's quantities in the order of a `StoneWitness`.
+std::array<double, std::tuple_size_v<StoneWitness>> shipped(const InertiaRow& row) {
+  return {row.bevel,   row.width, row.height, row.outer_width, row.volume,         row.surface_area,
+          row.density, row.mass,  row.axial,  row.transverse,  row.axial_per_mass, row.transverse_per_mass};
+}
 
-/// The row's stone in exact arithmetic: whole micrometres over a million, whole kilograms per cubic metre.
-std::vector<Entry> certify(const InertiaRow& row, const CatalogueStone& entry, int bevel) {
+/// By the closed forms in exact arithmetic: whole micrometres over a million, whole kilograms per cubic metre.
+StoneWitness closed_forms(const CatalogueStone& entry, int bevel) {
   const Ball w = metres<Ball>(entry.width), h = metres<Ball>(entry.height), b = metres<Ball>(bevel);
   const Ball density(entry.density);
   const Stone<Ball> stone =
@@ -34,18 +35,18 @@ std::vector<Entry> certify(const InertiaRow& row, const CatalogueStone& entry, i
   const auto terms = formula::bevel_terms(stone, scalar::atan2(stone.joint_sine, stone.joint_cosine));
   const Ball volume = formula::bevelled_volume(stone, terms);
   const Moments<Ball> moments = formula::bevelled_moments(stone, terms);
-  return {{"bevel", row.bevel, b},
-          {"width", row.width, w},
-          {"height", row.height, h},
-          {"outer width", row.outer_width, outer_width(stone)},
-          {"volume", row.volume, volume},
-          {"surface area", row.surface_area, formula::bevelled_surface_area(stone, terms)},
-          {"density", row.density, density},
-          {"mass", row.mass, density * volume},
-          {"I_a", row.axial, density * moments.axial},
-          {"I_t", row.transverse, density * moments.transverse},
-          {"I_a/m", row.axial_per_mass, moments.axial / volume},
-          {"I_t/m", row.transverse_per_mass, moments.transverse / volume}};
+  return {{{"bevel", b},
+           {"width", w},
+           {"height", h},
+           {"outer_width", outer_width(stone)},
+           {"volume", volume},
+           {"surface_area", formula::bevelled_surface_area(stone, terms)},
+           {"density", density},
+           {"mass", density * volume},
+           {"axial", density * moments.axial},
+           {"transverse", density * moments.transverse},
+           {"axial_per_mass", moments.axial / volume},
+           {"transverse_per_mass", moments.transverse / volume}}};
 }
 
 template <class See>
@@ -60,39 +61,21 @@ void for_each_row(See&& see) {
   }
 }
 
-Measurement measure_nearest(Context& context) {
-  Worst worst;
-  for_each_row([&](std::size_t index, const CatalogueStone& entry, int bevel) {
-    if (index >= inertia_table.size()) {
-      return;
-    }
-    for (const Entry& value : certify(inertia_table[index], entry, bevel)) {
-      worst.see(is_the_nearest(context.produced(value.shipped), value.exact) ? 0.0 : 1.0, [&] {
-        return fmt::format("{} of size {} {}, b = {} µm: {:a}", value.name, entry.number, to_string(entry.color), bevel,
-                           value.shipped);
-      });
-    }
-  });
-  return worst.measurement();
-}
-
-/// The same, by enclosures that owe nothing to the closed forms.
-Measurement measure_integrals(Context& context) {
-  Worst worst;
-  for_each_row([&](std::size_t index, const CatalogueStone& entry, int bevel) {
-    const InertiaRow& row = inertia_table.at(index);
-    const std::array<double, 12> shipped = {row.bevel,  row.width,        row.height,         row.outer_width,
-                                            row.volume, row.surface_area, row.density,        row.mass,
-                                            row.axial,  row.transverse,   row.axial_per_mass, row.transverse_per_mass};
-    const certify::StoneWitness witness = certify::witness_of(entry, bevel);
-    for (std::size_t i = 0; i < witness.size(); ++i) {
-      worst.see(is_the_nearest(context.produced(shipped[i]), witness[i].exact) ? 0.0 : 1.0, [&] {
-        return fmt::format("{} of size {} {}, b = {} µm: {:a}", witness[i].key, entry.number, to_string(entry.color),
-                           bevel, shipped[i]);
-      });
-    }
-  });
-  return worst.measurement();
+auto nearest_to(StoneWitness (*enclosures)(const CatalogueStone&, int)) {
+  return [enclosures](Context& context) {
+    Worst worst;
+    for_each_row([&](std::size_t index, const CatalogueStone& entry, int bevel) {
+      const auto values = shipped(inertia_table.at(index));
+      const StoneWitness exact = enclosures(entry, bevel);
+      for (std::size_t i = 0; i < exact.size(); ++i) {
+        worst.see(certify::is_the_nearest(context.produced(values[i]), exact[i].exact) ? 0.0 : 1.0, [&] {
+          return fmt::format("{} of size {} {}, b = {} µm: {:a}", exact[i].key, entry.number, to_string(entry.color),
+                             bevel, values[i]);
+        });
+      }
+    });
+    return worst.measurement();
+  };
 }
 
 Measurement measure_rows(Context& context) {
@@ -148,7 +131,7 @@ std::vector<Claim> table_claims() {
        .bound = 0.0,
        .reason = "an entry is the nearest double or it is not",
        .mutants = {{"mass/inertia_table.hpp", "0.0051815133771277826", "0.005181513377127782"}},
-       .measure = measure_nearest},
+       .measure = nearest_to(closed_forms)},
       {.id = "TABLE-2",
        .statement = "The table has a row for each of the 14 sizes, white before black, sharp and with b = 1 mm.",
        .function = "inertia_table",
@@ -182,7 +165,7 @@ std::vector<Claim> table_claims() {
        .bound = 0.0,
        .reason = "an entry is the nearest double or it is not",
        .mutants = {{"mass/inertia_table.hpp", "1.843023970534333e-06", "1.8430239705343332e-06"}},
-       .measure = measure_integrals},
+       .measure = nearest_to(certify::witness_of)},
   };
 }
 

@@ -58,6 +58,9 @@ class Ball {
   explicit operator double() const { return arf_get_d(arb_midref(value_), ARF_RND_NEAR); }
   explicit operator float() const { return static_cast<float>(static_cast<double>(*this)); }
 
+  /// Proved: false where the ball leaves it open.
+  [[nodiscard]] bool is_positive() const { return arb_is_positive(value_) != 0; }
+  [[nodiscard]] bool is_negative() const { return arb_is_negative(value_) != 0; }
   [[nodiscard]] bool is_finite() const { return arb_is_finite(value_) != 0; }
   [[nodiscard]] bool overlaps(const Ball& other) const { return arb_overlaps(value_, other.value_) != 0; }
   /// Radius over midpoint.

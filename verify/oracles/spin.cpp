@@ -7,25 +7,11 @@ namespace goishi::verify {
 
 using Long = long double;
 
-Long SpinningCap::lever(Long z) const {
-  return transverse * r * r * (1 - z * z) + axial * (d - r * z) * (d - r * z);
-}
-
-Long SpinningCap::threshold() const {
-  const Long left = 1 - d / r;
-  return std::sqrt(gravity * d * left * left / (transverse - axial * left));
-}
-
-Long SpinningCap::settling_height(Long jellett) const {
-  const auto excess = [&](Long z) {
-    const Long D = lever(z);
-    return gravity * d * D * D - jellett * jellett * (transverse * r * r * z + axial * r * (d - r * z));
-  };
-  // Above the threshold gravity is too weak at z = 1, and strong enough where the axis lies.
+Long settling_height(const SpinningCap<Long>& stone, Long jellett) {
   Long low = 0, high = 1;
   for (int i = 0; i < 70; ++i) {
     const Long middle = (low + high) / 2;
-    (excess(middle) > 0 ? low : high) = middle;
+    (stone.righting(middle, jellett) > 0 ? low : high) = middle;
   }
   return (low + high) / 2;
 }
@@ -33,7 +19,7 @@ Long SpinningCap::settling_height(Long jellett) const {
 // With a = L · u, p = L_z and E' = E − a²/(2 I_a): I_t (I_t + d² (1 − z²)) ż² = f(z),
 // f = 2 I_t (E' − g (r − d z)) (1 − z²) − (p − a z)², of which z₀ is a root. What is left after division by z − z₀ is
 // k₂ z² + k₁ z + k₀.
-FrictionlessSwing::FrictionlessSwing(const SpinningCap& stone, Long z0, Long spin) : stone_(stone), z0_(z0) {
+FrictionlessSwing::FrictionlessSwing(const SpinningCap<Long>& stone, Long z0, Long spin) : stone_(stone), z0_(z0) {
   const Long It = stone.transverse, a = stone.axial * spin * z0;
   const Long p = It * spin * (1 - z0 * z0) + a * z0;
   const Long rise = (p - a * z0) * (p - a * z0) / (2 * It * (1 - z0 * z0)) - stone.gravity * stone.d * z0;  // E' − g r
