@@ -29,12 +29,10 @@ Vec3<double> in_drop(const char* argument, const Vec3<Number>& v, std::string_vi
   return {in_drop(argument, v.x(), unit), in_drop(argument, v.y(), unit), in_drop(argument, v.z(), unit)};
 }
 
-double length_or(const char* argument, const Text& text, double otherwise) {
-  return text ? in_drop(argument, parse_length(argument, *text), "m") : otherwise;
-}
-
-double bare_or(const char* argument, const Text& text, double otherwise, std::string_view unit) {
-  return text ? in_drop(argument, parse_bare(argument, *text, unit), unit) : otherwise;
+void set_length(const char* argument, const Text& text, std::optional<double>& length) {
+  if (text) {
+    length = in_drop(argument, parse_length(argument, *text), "m");
+  }
 }
 
 /// A number without a unit.
@@ -118,7 +116,7 @@ std::string parse_until(const Text& text, DropSettings<double>& settings) {
     const Number time = parse_time("until", *text);
     require_positive("until", time);
     settings.horizon = in_drop("until", time, "s");
-    return fmt::format("{:.6g} s", settings.horizon);
+    return fmt::format("{:.6g} s", *settings.horizon);
   }
   throw InvalidArgument("until", *text, "must be rest, a time such as 500ms, or a count such as 5-impacts");
 }
@@ -169,22 +167,24 @@ void check_combination(const DropOptions& options) {
   only_for("patch-radius", options.patch_radius, FrictionModel::coulomb_contensou);
 }
 
-DropSettings<double> settings_of(const DropOptions& options, std::string& until) {
+DropSettings<double> settings_of(const DropOptions& options, const Stone<double>& stone, std::string& until) {
   DropSettings<double> settings;
   settings.restitution = ratio_or("restitution", options.restitution, settings.restitution);
   settings.friction = parse_friction(options.friction, settings.friction);
   settings.gravity = parse_gravity(options.gravity);
-  settings.rolling_resistance =
-      length_or("rolling-resistance", options.rolling_resistance, settings.rolling_resistance);
-  settings.pivot_radius = length_or("pivot-radius", options.pivot_radius, settings.pivot_radius);
+  set_length("rolling-resistance", options.rolling_resistance, settings.rolling_resistance);
+  set_length("pivot-radius", options.pivot_radius, settings.pivot_radius);
   settings.friction_model = parse_friction_model(options.friction_model);
-  settings.slip_coefficient = bare_or("slip-coefficient", options.slip_coefficient, settings.slip_coefficient, "s/m");
-  settings.patch_radius = length_or("patch-radius", options.patch_radius, settings.patch_radius);
+  if (options.slip_coefficient) {
+    settings.slip_coefficient =
+        in_drop("slip-coefficient", parse_bare("slip-coefficient", *options.slip_coefficient, "s/m"), "s/m");
+  }
+  set_length("patch-radius", options.patch_radius, settings.patch_radius);
   settings.law = parse_law(options.law);
   settings.tolerance = ratio_or("tolerance", options.tolerance, settings.tolerance);
   until = parse_until(options.until, settings);
   try {
-    require_settings(settings);
+    require_settings(settings, stone);
   } catch (const InvalidArgument& error) {
     // The user knows them with hyphens.
     std::string argument = error.argument();
@@ -226,7 +226,6 @@ DropScene scene_of(const DropOptions& options) {
   if (named("on", options.on, grounds, [](On on) { return on == On::board ? "board" : "plane"; }) == On::board) {
     scene.board = make_board<double>();
   }
-  scene.settings = settings_of(options, scene.until);
   const Subject subject = subject_of(options.stone);
   scene.title =
       subject.title + (subject.bevel == 0 ? ", sharp" : fmt::format(", bevel {} m", six_digits(subject.bevel)));
@@ -234,6 +233,7 @@ DropScene scene_of(const DropOptions& options) {
   static_cast<void>(in_drop("width", stone.width, "m"));
   static_cast<void>(in_drop("height", stone.height, "m"));
   scene.stone = stone_cast<double>(stone);
+  scene.settings = settings_of(options, scene.stone, scene.until);
   const MassProperties<Number> properties = properties_of(stone, options.stone, subject.assumed_density);
   const Moments<double> moments{.axial = to_double("axial moment", properties.moments.axial, "a drop"),
                                 .transverse = to_double("transverse moment", properties.moments.transverse, "a drop")};
