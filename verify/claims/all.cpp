@@ -48,6 +48,7 @@ std::vector<Claim> all_claims() {
       {"claims/drop_sliding.cpp", drop_sliding_claims},
       {"claims/drop_odeint.cpp", drop_odeint_claims},
       {"claims/drop_whole.cpp", drop_whole_claims},
+      {"claims/drop_scale.cpp", drop_scale_claims},
       {"claims/drop_picture.cpp", drop_picture_claims}};
   for (const auto& [source, subject] : subjects) {
     std::vector<Claim> claims = subject();

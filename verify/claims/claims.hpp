@@ -49,6 +49,7 @@ namespace goishi::verify {
 [[nodiscard]] std::vector<Claim> drop_friction_claims();     // DROP: Jellett's integral, Coulomb–Contensou friction
 [[nodiscard]] std::vector<Claim> drop_spin_claims();         // DROP: threshold and settling tilts of a flat spin
 [[nodiscard]] std::vector<Claim> drop_sliding_claims();      // DROP: sliding to a stop, slopes, waking
+[[nodiscard]] std::vector<Claim> drop_scale_claims();        // DROP: other units, other sizes
 
 [[nodiscard]] std::vector<Claim> all_claims();
 

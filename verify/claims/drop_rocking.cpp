@@ -233,8 +233,9 @@ std::vector<Claim> drop_rocking_claims() {
        .oracle = "the equation of planar rocking, Fehlberg 7(8) in long double with fixed steps, turn by turn",
        .unit = "rad; of the time of rest",
        .bound = 2e-9,
-       .reason = "some hundred steps of tolerance 1e-12, and the last stretch under the torque at its beginning; measured "
-                 "2026-11-29",
+       .reason =
+           "some hundred steps of tolerance 1e-12, and the last stretch under the torque at its beginning; measured "
+           "2026-11-29",
        .resolution = 1e-12,
        .mutants = {{"drop/contact_motion.hpp", "const T roll = delta_square / root",
                     "const T roll = T(1000001) / T(1000000) * delta_square / root"},

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -27,6 +28,73 @@ double gap_of(const Scene& scene, const State<double>& state) {
 bool starts_flight(EventKind kind) {
   return kind == EventKind::start || kind == EventKind::woken || kind == EventKind::impact ||
          kind == EventKind::lift_off || kind == EventKind::board_edge || kind == EventKind::side;
+}
+
+/// What holds a stone at rest: friction, and the lengths of resistance.
+struct Hold {
+  double friction, rolling, pivot;
+};
+
+/// A contact: from the centre of mass, in widths, and the normal.
+struct Held {
+  Vec3<double> r, n;
+};
+
+/// Onto |t| <= k s, the nearest point.
+void project(double& s, Vec3<double>& t, double k) {
+  const double size = t.norm();
+  if (size <= k * s) {
+    return;
+  }
+  const double along = k * size <= -s ? 0.0 : (s + k * size) / (1.0 + k * k);
+  s = along;
+  t = size > 0.0 ? Vec3<double>(k * along / size * t) : Vec3<double>(Vec3<double>::Zero());
+}
+
+/// How much of a unit weight along `down` no forces at the contacts balance: Douglas and Rachford's projections between
+/// the forces that balance and those that friction and resistance allow.
+double unbalanced(const Hold& by, const std::vector<Held>& contacts, const Vec3<double>& down) {
+  const auto count = static_cast<Eigen::Index>(contacts.size());
+  // Of each contact: the force, the normal force once more, and the torque over the lengths of resistance.
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(6 + count, 7 * count);
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(6 + count);
+  b.head<3>() = -down;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Held& at = contacts[static_cast<std::size_t>(i)];
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      const Vec3<double> unit = Vec3<double>::Unit(k);
+      A.block<3, 1>(0, 7 * i + k) = unit;
+      A.block<3, 1>(3, 7 * i + k) = at.r.cross(unit);
+      A.block<3, 1>(3, 7 * i + 4 + k) = by.rolling * unit + (by.pivot - by.rolling) * at.n.dot(unit) * at.n;
+      A(6 + i, 7 * i + k) = at.n[k];
+    }
+    A(6 + i, 7 * i + 3) = -1.0;
+  }
+  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver(A);
+  Eigen::VectorXd z = Eigen::VectorXd::Zero(7 * count);
+  double left = 1.0;
+  for (int step = 0; step < 20000 && 1e-4 < left; ++step) {
+    const Eigen::VectorXd balanced = z - solver.solve(A * z - b);
+    Eigen::VectorXd allowed = 2.0 * balanced - z;
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const Vec3<double>& n = contacts[static_cast<std::size_t>(i)].n;
+      const Vec3<double> f = allowed.segment<3>(7 * i);
+      double normal = f.dot(n);
+      Vec3<double> across = f - normal * n;
+      if (std::isfinite(by.friction)) {
+        project(normal, across, by.friction);
+      } else {
+        normal = std::fmax(normal, 0.0);
+      }
+      allowed.segment<3>(7 * i) = normal * n + across;
+      Vec3<double> torque = allowed.segment<3>(7 * i + 4);
+      project(allowed(7 * i + 3), torque, 1.0);
+      allowed.segment<3>(7 * i + 4) = torque;
+    }
+    left = (A * allowed - b).norm();
+    z += allowed - balanced;
+  }
+  return left;
 }
 
 class Judge {
@@ -139,10 +207,15 @@ class Judge {
         if (0.0 < drop_.state.v_WB.norm() + drop_.state.L_W.norm()) {
           fault("rests, and moves");
         }
+        if (!(0.0 < set.gravity.norm())) {
+          break;
+        }
         if (drop_.status == DropStatus::rest) {
           is_balanced();
+          goes_on_resting();
+        } else {
+          is_balanced_leaning();
         }
-        goes_on_resting();
         break;
       case DropStatus::moving:
         if (drop_.time < *set.horizon * (1.0 - 1e-14) && done.impacts < set.maximum_impacts) {
@@ -181,30 +254,57 @@ class Judge {
     }
   }
 
-  /// By the definition: gravity through the contact point, within the cone, its lever within the resistance.
-  void is_balanced() {
+  /// Friction and resistance that a stone at rest can count on.
+  [[nodiscard]] Hold hold() const {
     const DropSettings<double>& set = scene_.settings;
-    const Vec3<double>& g = set.gravity;
-    if (!(0.0 < g.norm())) {
-      return;
-    }
-    const double floor = drop_.ground == Ground::floor ? scene_.board->floor : 0.0;
-    const Separation<double> contact = separation(scene_.stone, Pose<double>{drop_.state.p_WB, drop_.state.q_WB},
-                                                  Plane<double>{Vec3<double>::UnitZ(), floor});
-    const Vec3<double> r = contact.p_stone - drop_.state.p_WB, torque = r.cross(-g);
     const bool patch = 0.0 < *set.patch_radius && std::isfinite(set.friction);
-    const bool dry = set.friction_model == FrictionModel::dry ||
-                     (set.friction_model == FrictionModel::coulomb_contensou && !patch);
-    const double mu = dry ? set.friction : 0.0, pull = std::hypot(g.x(), g.y());
-    const double delta = std::fmax(*set.rolling_resistance, *set.pivot_radius / 100.0);
-    const double kappa = std::fmax(*set.pivot_radius, *set.rolling_resistance / 100.0);
-    const double slack = 1e-12 * width_;
-    const double load = std::hypot(torque.x(), torque.y()) / (delta + slack), pivot = torque.z() / (kappa + slack);
-    if (!(g.z() < 0.0) || !(pull <= (mu + 1e-12) * -g.z())) {
-      fault(fmt::format("rests where friction does not hold it: {} of {}", pull, mu * -g.z()));
+    const bool dry =
+        set.friction_model == FrictionModel::dry || (set.friction_model == FrictionModel::coulomb_contensou && !patch);
+    return {.friction = dry ? set.friction : 0.0,
+            .rolling = std::fmax(*set.rolling_resistance, *set.pivot_radius / 100.0),
+            .pivot = std::fmax(*set.pivot_radius, *set.rolling_resistance / 100.0)};
+  }
+
+  /// On one contact, by the definition: gravity through the contact point, within the cone, its lever within the
+  /// resistance.
+  void is_balanced() {
+    const Vec3<double>& g = scene_.settings.gravity;
+    const double floor = drop_.ground == Ground::floor ? scene_.board->floor : 0.0;
+    const Vec3<double> r = contact_with(Plane<double>{Vec3<double>::UnitZ(), floor}).p_stone - drop_.state.p_WB;
+    const Vec3<double> torque = r.cross(-g);
+    const Hold by = hold();
+    const double pull = std::hypot(g.x(), g.y()), slack = 1e-12 * width_;
+    const double load = std::hypot(torque.x(), torque.y()) / (by.rolling + slack),
+                 pivot = torque.z() / (by.pivot + slack);
+    if (!(g.z() < 0.0) || !(pull <= (by.friction + 1e-12) * -g.z())) {
+      fault(fmt::format("rests where friction does not hold it: {} of {}", pull, by.friction * -g.z()));
     }
     if (!(std::hypot(load, pivot) <= -g.z() * (1.0 + 1e-9))) {
       fault(fmt::format("rests where resistance does not hold it: {:.6g} of 1", std::hypot(load, pivot) / -g.z()));
+    }
+  }
+
+  template <class Other>
+  [[nodiscard]] Separation<double> contact_with(const Other& other) const {
+    return separation(scene_.stone, Pose<double>{drop_.state.p_WB, drop_.state.q_WB}, other);
+  }
+
+  /// On an edge or at two places: forces that balance exist, as found by projecting back and forth.
+  void is_balanced_leaning() {
+    const Separation<double> board = contact_with(*scene_.board);
+    const Separation<double> floor = contact_with(Plane<double>{Vec3<double>::UnitZ(), scene_.board->floor});
+    std::vector<Held> held;
+    for (const Separation<double>& contact : {board, floor}) {
+      if (contact.gap < 1e-5 * width_) {
+        held.push_back({(contact.p_stone - drop_.state.p_WB) / width_, contact.n_W});
+      }
+    }
+    Hold by = hold();
+    by.rolling /= width_;
+    by.pivot /= width_;
+    const double left = unbalanced(by, held, scene_.settings.gravity.normalized());
+    if (!(left <= 1e-3)) {
+      fault(fmt::format("leans where nothing holds it: {:.3g} of its weight is not balanced", left));
     }
   }
 
@@ -214,11 +314,12 @@ class Judge {
     again.start = drop_.state;
     const Drop<double> then = run(again);
     const double moved = (then.state.p_WB - drop_.state.p_WB).norm() / width_;
-    // On an edge or at two places it rests above them by up to a hop, and hops to rest anew.
+    const bool rests =
+        then.status == DropStatus::rest || (drop_.lower_order && then.status == DropStatus::rest_leaning);
+    // Beside a side it may touch that, too, and hop.
     const double hop = drop_.lower_order ? 20.0 * *scene_.settings.edge_speed * *scene_.settings.edge_speed /
                                                (scene_.settings.gravity.norm() * width_)
                                          : 0.0;
-    const bool rests = then.status == DropStatus::rest || (drop_.lower_order && then.status == DropStatus::rest_leaning);
     if (!rests || !(moved <= 1e-9 + hop)) {
       fault(fmt::format("dropped from its place of rest it ends as '{}' after {} s, {:.3g} widths away",
                         to_string(then.status), then.time, moved));

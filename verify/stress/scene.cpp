@@ -165,8 +165,8 @@ Vec3<double> draw_place(Dice& dice, std::optional<Board<double>>& board) {
 
 Board<double> scaled(const Board<double>& board, double by) {
   Board<double> other = board;
-  for (double* length : {&other.half_width, &other.half_length, &other.thickness, &other.floor, &other.spacing_x,
-                         &other.spacing_y}) {
+  for (double* length :
+       {&other.half_width, &other.half_length, &other.thickness, &other.floor, &other.spacing_x, &other.spacing_y}) {
     *length *= by;
   }
   return other;
@@ -252,7 +252,8 @@ std::string describe(const Scene& scene) {
   const State<double>& start = scene.start;
   const Vec3<double> w_B = formula::angular_velocity_B(start, scene.body);
   return fmt::format(
-      "w = {:.3g} m, h/w = {:.6g}, b/h = {:.6g}; e = {:.6g}, μ = {:.6g}, δ = {:.3g} m, κ = {:.3g} m; {}, {}; damping {:.3g}/s; "
+      "w = {:.3g} m, h/w = {:.6g}, b/h = {:.6g}; e = {:.6g}, μ = {:.6g}, δ = {:.3g} m, κ = {:.3g} m; {}, {}; damping "
+      "{:.3g}/s; "
       "tolerance {:.2g}; horizon {:.3g} s; on the {}; p = ({:.6g}, {:.6g}, {:.6g}), v = ({:.3g}, {:.3g}, {:.3g}), "
       "q = ({:.6g}, {:.6g}, {:.6g}, {:.6g}), ω_B = ({:.4g}, {:.4g}, {:.4g}), g = ({:.3g}, {:.3g}, {:.3g})",
       stone.width, stone.height / outer_width(stone), stone.bevel / stone.height, set.restitution, set.friction,

@@ -15,8 +15,8 @@ struct Scene {
   RigidBody<double> body;
   State<double> start;
   std::optional<Board<double>> board;  // else the plane z = 0
-  DropSettings<double> settings;  // every one set
-  bool physical = true;           // δ, κ <= w/4: here giving up is a fault
+  DropSettings<double> settings;       // every one set
+  bool physical = true;                // δ, κ <= w/4: here giving up is a fault
 };
 
 /// The scene of a number: the same for a seed and an index, whatever else runs.

@@ -74,7 +74,7 @@ class ContactPhase {
         return leave(T(0) <= run_.level ? ContactEnd::board_edge : ContactEnd::side);
       }
       if (guard == Guard::jam) {
-        if (!unjam()) {
+        if (contact_.mode == ContactMode::rolling ? !stop() : !unjam()) {
           return leave(ContactEnd::lift_off);
         }
       } else {
@@ -159,7 +159,7 @@ class ContactPhase {
     static_cast<void>(rolling(contact_.y));
     ++run_.result.counters.contact_evaluations;
     T phi = scalar::atan2(T(-rolling.force.y()), T(-rolling.force.x()));
-    if (T(-1e-9) <= rolling.guards().value[2]) {
+    if (-guard_noise<T>() <= rolling.guards().value[2]) {
       contact_.mode = ContactMode::rolling;
       contact_.y[at::direction] = T(0);
       contact_.note(EventKind::stick);
@@ -170,6 +170,28 @@ class ContactPhase {
     }
     contact_.y[at::direction] = phi;
     return true;
+  }
+
+  /// No normal force fits the resistance: an impulse of both stops the stone. False if it would have to pull.
+  [[nodiscard]] bool stop() {
+    contact_.update_state();
+    const State<T> before = run_.state;
+    if (T(0) < before.v_WB.z()) {
+      return false;
+    }
+    run_.state.v_WB = run_.state.L_W = Vec3<T>::Zero();
+    note_jam(before, Vec3<T>(-run_.body.mass * before.v_WB));
+    return true;
+  }
+
+  void note_jam(const State<T>& before, const Vec3<T>& impulse) {
+    Event<T>& event = run_.record(EventKind::jam, before);
+    event.impulse_W = impulse;
+    event.contact_W = run_.contact_W;
+    event.normal_W = {T(0), T(0), T(1)};
+    event.feature = contact_.feature;
+    event.outcome = ImpactOutcome::stuck;
+    contact_.enter(contact_.feature);
   }
 
   /// Painlevé's case: no normal force fits the slip, so an impulse stops it. Under infinite friction any slip is such a
@@ -189,13 +211,7 @@ class ContactPhase {
     const BodyVelocity<T> after = formula::pushed(body, r, impulse);
     run_.state.v_WB = after.v_WB;
     run_.state.L_W = after.L_W;
-    Event<T>& event = run_.record(EventKind::jam, before);
-    event.impulse_W = impulse;
-    event.contact_W = run_.contact_W;
-    event.normal_W = {T(0), T(0), T(1)};
-    event.feature = contact_.feature;
-    event.outcome = ImpactOutcome::stuck;
-    contact_.enter(contact_.feature);
+    note_jam(before, impulse);
     return true;
   }
 

@@ -16,8 +16,7 @@ enum class ContactMode { rolling, sliding, gliding };
 template <Ordered T>
 class ContactState {
  public:
-  explicit ContactState(Run<T>& the_run)
-      : run(the_run), body(the_run.contact_body), scales(the_run.scales) {}
+  explicit ContactState(Run<T>& the_run) : run(the_run), body(the_run.contact_body), scales(the_run.scales) {}
 
   /// From the run's state.
   void enter(Feature which) {

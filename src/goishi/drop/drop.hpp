@@ -24,25 +24,25 @@ template <Ordered T>
   require_physical(moments);
   require(!(body.moments.x() < body.moments.y()) && !(body.moments.y() < body.moments.x()), "moments",
           body.moments.transpose(), "must be those of a body with symmetry axis Bz");
-  const T reach = outer_width(stone) / T(2) < stone.height / T(2) ? T(stone.height / T(2)) : T(outer_width(stone) / T(2));
+  const T reach =
+      outer_width(stone) / T(2) < stone.height / T(2) ? T(stone.height / T(2)) : T(outer_width(stone) / T(2));
   const T motion = scalar::sqrt(formula::dot(start.v_WB, start.v_WB)) +
                    reach / body.moments.minCoeff() * scalar::sqrt(formula::dot(start.L_W, start.L_W));
   const T strength = strength_of(settings.gravity, stone.width, motion);
   const DropSettings<T> all = filled(settings, stone, strength);
-  Run<T> run{
-      .stone = stone,
-      .body = body,
-      .board = board,
-      .settings = all,
-      .scales = contact_scales(stone, strength),
-      .rates = formula::top_rates(moments),
-      .mobility = formula::mobility(body.mass, moments),
-      .contact_body = contact_body(
-          stone, Moments<T>{.axial = moments.axial / body.mass, .transverse = moments.transverse / body.mass}, all,
-          strength),
-      .reach = reach,
-      .state = start,
-      .time = time};
+  Run<T> run{.stone = stone,
+             .body = body,
+             .board = board,
+             .settings = all,
+             .scales = contact_scales(stone, strength),
+             .rates = formula::top_rates(moments),
+             .mobility = formula::mobility(body.mass, moments),
+             .contact_body = contact_body(
+                 stone, Moments<T>{.axial = moments.axial / body.mass, .transverse = moments.transverse / body.mass},
+                 all, strength),
+             .reach = reach,
+             .state = start,
+             .time = time};
   // A run that is to stop after so many impacts gets the room for them at once.
   run.result.events.reserve(settings.maximum_impacts < 100000 ? static_cast<std::size_t>(settings.maximum_impacts) + 64
                                                               : 64);

@@ -25,7 +25,8 @@ class EnergyBalance {
     const T potential = now.kinetic - now.total;
     const T round_off =
         T(64) * std::numeric_limits<T>::epsilon() * (now.kinetic + (potential < T(0) ? T(-potential) : potential));
-    return (change < T(0) ? T(-change) : change) / (tolerance_ * scalar::sq(contact_.scales.speed) + round_off);
+    return (change < T(0) ? T(-change) : change) /
+           (tolerance_ * contact_.scales.thinness * scalar::sq(contact_.scales.speed) + round_off);
   }
 
   /// Takes the velocities back to what energy and losses allow, all by one factor, and by no more than a step's error.

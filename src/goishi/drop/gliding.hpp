@@ -59,11 +59,8 @@ class Gliding {
   /// Angular momentum and slip of an implicit stage, or of an implicit step of Euler's.
   [[nodiscard]] bool solve_stage(Variables<T>& stage, const T& reach, Variables<T>& k) {
     return solve_turning(
-        body_, *this, stage, reach, k,
-        [&](Variables<T>& y, Variables<T>& rate) { return solve_slip(y, reach, rate); },
-        [&](const Vec3<T>& brake) {
-          return formula::scaled(T(-brake.z() / (room_ + jam_margin(now.W.zz))), force);
-        });
+        body_, *this, stage, reach, k, [&](Variables<T>& y, Variables<T>& rate) { return solve_slip(y, reach, rate); },
+        [&](const Vec3<T>& brake) { return formula::scaled(T(-brake.z() / (room_ + jam_margin(now.W.zz))), force); });
   }
 
   /// Whether the last step met Painlevé's case.
@@ -135,7 +132,7 @@ class Gliding {
         return false;
       }
       // Newton squares the error: what a change of 1e-8 leaves is round-off.
-      if (moved < T(1e-16) * least) {
+      if (moved < scalar::sq(at_least(T(1e-8), T(4) * std::numeric_limits<T>::epsilon())) * least) {
         k = all_rates(stage, slip_rate_at(s_x, s_y));
         k[at::slip] = (s_x - from_x) / reach;
         k[at::direction] = (s_y - from_y) / reach;

@@ -169,7 +169,7 @@ class ContactIntegrator {
   template <class Equations>
   [[nodiscard]] bool turning_is_to_begin(const Equations& equations, const Variables<T>& rate) const {
     const Kinetics<T>& k = equations.now;
-    return contact_.body.resists && formula::dot(k.w, k.w) <= scalar::sq(slowest()) &&
+    return contact_.body.resists && T(0) < k.need.z() && formula::dot(k.w, k.w) <= scalar::sq(slowest()) &&
            k.w.x() * rate[at::L] + k.w.y() * rate[at::L + 1] + k.w.z() * rate[at::L + 2] <= T(0);
   }
 
@@ -189,7 +189,8 @@ class ContactIntegrator {
     }
     // What has begun grows in proportion to time.
     const Vec3<T> u(y[at::u], y[at::u + 1], y[at::u + 2]);
-    const Vec3<T> w = formula::turning(contact_.body.mobility, u, Vec3<T>(stage[at::L], stage[at::L + 1], stage[at::L + 2]));
+    const Vec3<T> w =
+        formula::turning(contact_.body.mobility, u, Vec3<T>(stage[at::L], stage[at::L + 1], stage[at::L + 2]));
     const T size = scalar::sqrt(formula::dot(w, w)), wanted = T(100) * slowest();
     const T least = T(0.01) * trial, most = T(1e4) * trial;
     T h = T(0) < size ? T(wanted / size * trial) : most;
@@ -236,7 +237,7 @@ class ContactIntegrator {
     while (run_.has_budget()) {
       bool possible = true;
       trial = equations.step(contact_.y, rate, h, possible);
-      T error(1e30);
+      T error = T(1e10);  // as far off as `step_factor` counts
       if (possible) {
         // A step that oversteps a whole feature meets smooth rates on either side of it; the energy shows it.
         const T worst = balance.defect(equations, trial.y);
@@ -290,8 +291,8 @@ class ContactIntegrator {
     for (std::size_t i = 0; i < guard_count; ++i) {
       const Guard name = Equations::names[i];
       const bool strict = name == Guard::lift_off || name == Guard::jam;
-      if ((strict && guards[i] <= T(0)) || (name == Guard::grip && guards[i] < T(-1e-8)) ||
-          (name == Guard::feature && guards[i] < T(-1e-9)) || (name == Guard::support && guards[i] <= T(0))) {
+      if ((strict && guards[i] <= T(0)) || (name == Guard::grip && guards[i] < -(T(10) * guard_noise<T>())) ||
+          (name == Guard::feature && guards[i] < -guard_noise<T>()) || (name == Guard::support && guards[i] <= T(0))) {
         return name;
       }
     }
@@ -390,21 +391,23 @@ class ContactIntegrator {
     const T momentum2 = scalar::sq(trial.y[at::L]) + scalar::sq(trial.y[at::L + 1]) + scalar::sq(trial.y[at::L + 2]);
     // Where a stone hardly turns, what matters is in which direction: resistance goes by that. With the coarser scale the
     // integration finds false states of slow creep there.
-    const T usual = contact_.scales.frequency / contact_.body.mobility.transverse;
+    const T usual = contact_.scales.thinness * contact_.scales.frequency / contact_.body.mobility.transverse;
     const T slow = T(1e-3) * usual;
     const T least = contact_.body.resists && momentum2 < scalar::sq(slow) ? slow : usual;
     const T momentum = scalar::sqrt(T(momentum2 + scalar::sq(least)));
     const auto place = [&](const T& x) {  // no error is below round-off
-      return T(1) / (contact_.scales.length + T(64) * std::numeric_limits<T>::epsilon() / run_.settings.tolerance * size_of(x));
+      return T(1) / (contact_.scales.length +
+                     T(64) * std::numeric_limits<T>::epsilon() / run_.settings.tolerance * size_of(x));
     };
     const T& speed = contact_.scales.speed;
-    const std::array<T, variables> weight = {T(1),
-                                             T(1),
-                                             T(1),
+    const T& thin = contact_.scales.thinness;
+    const std::array<T, variables> weight = {T(T(1) / thin),
+                                             T(T(1) / thin),
+                                             T(T(1) / thin),
                                              place(trial.y[at::x]),
                                              place(trial.y[at::y]),
                                              T(1),
-                                             T(T(1) / scalar::sq(speed)),
+                                             T(T(1) / (thin * scalar::sq(speed))),
                                              T(T(1) / momentum),
                                              T(T(1) / momentum),
                                              T(T(1) / momentum),

@@ -18,8 +18,8 @@ struct ContactBody {
   Stone<T> stone;
   Mobility<T> mobility;  // of mass 1
   Vec3<T> gravity;
-  T strength;  // |gravity|, or where there is none what the first motion makes of it: what forces are measured by
-  T frequency; // [1/s] √(2 strength/w)
+  T strength;   // |gravity|, or where there is none what the first motion makes of it: what forces are measured by
+  T frequency;  // [1/s] √(2 strength/w)
   T friction, rolling_resistance, pivot_radius, damping;
   T slip_coefficient;  // slip_proportional
   T contensou;         // 8 a_c/3π
@@ -51,7 +51,8 @@ struct Kinetics : ContactMotion<T> {
 /// Under the root of the resistance: an angular velocity of 1e-12 frequencies, which has no direction any more.
 template <Ordered T>
 [[nodiscard]] T resistance_floor(const ContactBody<T>& body) {
-  return (scalar::sq(body.rolling_resistance) + scalar::sq(body.pivot_radius)) * scalar::sq(T(T(1e-12) * body.frequency));
+  return (scalar::sq(body.rolling_resistance) + scalar::sq(body.pivot_radius)) *
+         scalar::sq(T(T(1e-12) * body.frequency));
 }
 
 /// Torque of resistance, per normal force   [m].

@@ -55,7 +55,8 @@ class LockedSlide {
       T h = step < left ? step : left;
       h = longest < h ? longest : h;
       const T braking = -(y[2] * rate[2] + y[3] * rate[3]);
-      const bool short_of_stop = T(0) < static_friction(body_) && T(0) < braking && T(0.9) * scalar::sq(speed) < h * braking;
+      const bool short_of_stop =
+          T(0) < static_friction(body_) && T(0) < braking && T(0.9) * scalar::sq(speed) < h * braking;
       if (short_of_stop) {
         h = T(0.9) * scalar::sq(speed) / braking;
       }
@@ -103,9 +104,9 @@ class LockedSlide {
     if (body_.model == FrictionModel::dry || braked < T(1)) {
       return dormand_prince(y, rate, h, *this);
     }
-    Trial<T, 4> trial = additive_runge_kutta<T, 4>(
-        y, rate, h, 0b1100U, possible,
-        [&](Motion& stage, const T& reach, Motion& k) { return solve(stage, reach, k); });
+    Trial<T, 4> trial =
+        additive_runge_kutta<T, 4>(y, rate, h, 0b1100U, possible,
+                                   [&](Motion& stage, const T& reach, Motion& k) { return solve(stage, reach, k); });
     if (possible) {
       trial.rate = (*this)(trial.y);
     }

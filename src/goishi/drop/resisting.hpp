@@ -5,6 +5,7 @@
 
 #include <array>
 #include <goishi/drop/kinetics.hpp>
+#include <limits>
 
 namespace goishi::detail {
 
@@ -103,7 +104,8 @@ template <Ordered T, class Equations, class Evaluate, class ForceChange>
     L = formula::plus(L, change);
     // Newton's method all but squares the error: what is left is far below.
     const T least = T(1e-12) * body.frequency / body.mobility.transverse;
-    if (size <= scalar::sq(T(T(1e-9) * (least + scalar::sqrt(formula::dot(L, L)))))) {
+    if (size <= scalar::sq(T(at_least(T(1e-9), T(8) * std::numeric_limits<T>::epsilon()) *
+                             (least + scalar::sqrt(formula::dot(L, L)))))) {
       for (std::size_t n = 0; n < 3; ++n) {
         const auto m = static_cast<Eigen::Index>(n);
         stage[at::L + n] = L[m];

@@ -6,6 +6,7 @@
 #include <goishi/drop/dormand_prince.hpp>
 #include <goishi/drop/kinetics.hpp>
 #include <goishi/drop/resisting.hpp>
+#include <limits>
 
 namespace goishi::detail {
 
@@ -13,6 +14,12 @@ namespace goishi::detail {
 /// (`turning` is not watched by its sign.)
 enum class Guard { none, feature, lift_off, grip, slip, jam, support, turning };
 inline constexpr std::size_t guard_count = 6;
+
+/// What counts as zero of a guard where the equations change.
+template <class T>
+[[nodiscard]] constexpr T guard_noise() {
+  return at_least(T(1e-9), T(64) * std::numeric_limits<T>::epsilon());
+}
 
 /// The guards of a state, in the order of `names`; the unused are 1.
 template <class T>
@@ -51,6 +58,7 @@ class Rolling {
   [[nodiscard]] Variables<T> operator()(const Variables<T>& y) {
     ++evaluations;
     now = kinetics(body_, feature_, y);
+    see_jam();
     force = formula::rolling_force(now.W, now.brake, now.need);
     if (force.z() < T(0)) {  // under infinite friction a contact may pull; resistance goes by the size of the force
       now.torque = formula::scaled(T(-1), now.torque);
@@ -63,9 +71,12 @@ class Rolling {
   /// Dormand–Prince where resistance is not stiff, else the additive pair.
   [[nodiscard]] Trial<T, variables> step(const Variables<T>& y, const Variables<T>& rate, const T& h, bool& possible) {
     possible = true;
+    jams_ = false;
     if (!resistance_is_stiff(body_, y, h)) {
       order_ = 5;
-      return dormand_prince(y, rate, h, *this);
+      const Trial<T, variables> trial = dormand_prince(y, rate, h, *this);
+      possible = !jams_;
+      return trial;
     }
     order_ = 4;
     Trial<T, variables> trial = additive_runge_kutta<T, variables>(
@@ -73,6 +84,7 @@ class Rolling {
         [&](Variables<T>& stage, const T& reach, Variables<T>& k) { return solve_stage(stage, reach, k); });
     if (possible) {
       trial.rate = (*this)(trial.y);
+      possible = !jams_;
     }
     return trial;
   }
@@ -105,8 +117,8 @@ class Rolling {
     return {{feature_guard(body_.stone, feature_, now.u), normal, grip, T(1), T(1), T(1)}};
   }
 
-  /// A contact that does not slip cannot jam.
-  [[nodiscard]] static bool jams() { return false; }
+  /// Whether the last step met a resistance that no normal force goes with.
+  [[nodiscard]] bool jams() const { return jams_; }
 
   [[nodiscard]] static T weight_of_direction(const Variables<T>&, const T&, const T&) { return T(0); }
   [[nodiscard]] T slip_x(const Variables<T>&) const { return T(0); }
@@ -123,10 +135,20 @@ class Rolling {
   int evaluations = 0;
 
  private:
+  /// Where 1 + ẑ · W⁻¹ b vanishes, b = J τ × r: the more a contact presses, the more resistance turns the stone into it.
+  /// W >= 1, so that a small b cannot.
+  void see_jam() {
+    const Vec3<T>& b = now.brake;
+    if (T(1) < T(4) * formula::dot(b, b)) {
+      jams_ = jams_ || !(T(1e-6) < T(1) + formula::solution(now.W, b).z());
+    }
+  }
+
   const ContactBody<T>& body_;
   Feature feature_;
   Vec3<T> origin_;
   int order_ = 5;
+  bool jams_ = false;
 };
 
 }  // namespace goishi::detail

@@ -17,13 +17,18 @@ struct ContactScales {
   T length;     // [m] half the width
   T frequency;  // [1/s] √(g/length)
   T speed;      // [m/s] length · frequency
+  T thinness;   // what of these a thin stone's rocking has: 1 from a height of 2/5 of the width on
 };
 
 template <Ordered T>
 [[nodiscard]] ContactScales<T> contact_scales(const Stone<T>& stone, const T& strength) {
   const T length = outer_width(stone) / T(2);
   const T frequency = scalar::sqrt(T(strength / length));
-  return {.length = length, .frequency = frequency, .speed = T(frequency * length)};
+  const T thinness = T(5) * stone.height / (T(2) * stone.width);
+  return {.length = length,
+          .frequency = frequency,
+          .speed = T(frequency * length),
+          .thinness = thinness < T(1) ? thinness : T(1)};
 }
 
 /// What forces are measured by: |gravity|; without any, the acceleration that the first motion has on the stone's scale,
@@ -37,7 +42,8 @@ template <Ordered T>
 template <Ordered T>
 [[nodiscard]] ContactBody<T> contact_body(const Stone<T>& stone, const Moments<T>& per_mass,
                                           const DropSettings<T>& settings, const T& strength) {
-  const T &delta = *settings.rolling_resistance, &kappa = *settings.pivot_radius, &patch_radius = *settings.patch_radius;
+  const T &delta = *settings.rolling_resistance, &kappa = *settings.pivot_radius,
+          &patch_radius = *settings.patch_radius;
   // The law of the patch is Coulomb's where there is no patch; infinite friction lets nothing slip.
   const bool patch = T(0) < patch_radius && settings.friction < std::numeric_limits<T>::infinity();
   const bool dry = settings.friction_model == FrictionModel::coulomb_contensou && !patch;
@@ -63,7 +69,7 @@ template <class T>
 struct Run {
   const Stone<T>& stone;
   const RigidBody<T>& body;
-  const Board<T>* board;  // or none: the plane z = 0
+  const Board<T>* board;     // or none: the plane z = 0
   DropSettings<T> settings;  // filled
   ContactScales<T> scales;
   TopRates<T> rates;

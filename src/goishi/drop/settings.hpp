@@ -55,8 +55,9 @@ struct DropSettings {
   /// [m/s] of coulomb_contensou: a slip so slow meets friction in proportion, also where the patch does not turn. The law
   /// has no rest; steps get shorter in proportion to this. 2e-4 √(w g): 9.3e-5
   std::optional<T> creep_speed;
-  T damping = T(0);  // [1/s] the talk's exponential damping of both momenta while in contact. It has no physical basis and
-                     // never stops: for comparison only
+  T damping =
+      T(0);  // [1/s] the talk's exponential damping of both momenta while in contact. It has no physical basis and
+             // never stops: for comparison only
   ImpactLaw law = ImpactLaw::chatterjee_ruina;
 
   // --- When to stop

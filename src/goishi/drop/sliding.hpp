@@ -52,8 +52,8 @@ class Sliding {
   void begin_step() { slope_ = slip_.across_slope; }
 
   [[nodiscard]] Guards<T> guards() const {
-    return {{feature_guard(body_.stone, feature_, now.u), T(now.need.z() / body_.strength), T(1), T(sigma_ * body_.frequency / body_.strength),
-             T(slip_.denominator - jam_margin(now.W.zz)), T(1)}};
+    return {{feature_guard(body_.stone, feature_, now.u), T(now.need.z() / body_.strength), T(1),
+             T(sigma_ * body_.frequency / body_.strength), T(slip_.denominator - jam_margin(now.W.zz)), T(1)}};
   }
 
   /// Whether the last step met Painlevé's case.
@@ -72,8 +72,12 @@ class Sliding {
     const T reach = y[at::slip] + body_.friction * body_.strength * h;
     return reach / speed;
   }
-  [[nodiscard]] T slip_x(const Variables<T>& y) const { return y[at::slip] * (seen(y) ? c_ : scalar::cos(y[at::direction])); }
-  [[nodiscard]] T slip_y(const Variables<T>& y) const { return y[at::slip] * (seen(y) ? s_ : scalar::sin(y[at::direction])); }
+  [[nodiscard]] T slip_x(const Variables<T>& y) const {
+    return y[at::slip] * (seen(y) ? c_ : scalar::cos(y[at::direction]));
+  }
+  [[nodiscard]] T slip_y(const Variables<T>& y) const {
+    return y[at::slip] * (seen(y) ? s_ : scalar::sin(y[at::direction]));
+  }
 
   static constexpr std::array<Guard, guard_count> names = {Guard::feature, Guard::lift_off, Guard::none,
                                                            Guard::slip,    Guard::jam,      Guard::support};
@@ -121,7 +125,9 @@ class Sliding {
   }
 
   /// Whether cosine and sine of the direction are at hand.
-  [[nodiscard]] bool seen(const Variables<T>& y) const { return !(y[at::direction] < phi_) && !(phi_ < y[at::direction]); }
+  [[nodiscard]] bool seen(const Variables<T>& y) const {
+    return !(y[at::direction] < phi_) && !(phi_ < y[at::direction]);
+  }
 
   void evaluate(const Variables<T>& y) {
     ++evaluations;
@@ -134,10 +140,12 @@ class Sliding {
     c_ = scalar::cos(phi);
     s_ = scalar::sin(phi);
     slip_ = formula::slip_rate(now.W, now.brake, now.need, body_.friction, c_, s_);
-    jams_ = jams_ || !(jam_margin(now.W.zz) < slip_.denominator);
   }
 
+  void see_jam() { jams_ = jams_ || !(jam_margin(now.W.zz) < slip_.denominator); }
+
   [[nodiscard]] Variables<T> all_rates(const Variables<T>& y) {
+    see_jam();
     force = {T(-(body_.friction * slip_.N * c_)), T(-(body_.friction * slip_.N * s_)), slip_.N};
     Variables<T> rate = rates(body_, now, force, T(y[at::slip] * c_), T(y[at::slip] * s_), origin_);
     rate[at::slip] = slip_.along - body_.damping * y[at::slip];
@@ -150,6 +158,9 @@ class Sliding {
     constexpr int most_steps = 12;
     for (int i = 0; i < most_steps; ++i) {
       direct(T(phi + reach * turn));
+      if (i == 0) {  // of a step that is short enough, where it begins; later tries may be anywhere
+        see_jam();
+      }
       const T residual = slip_.across - sigma * turn;
       const T slope = sigma - reach * slip_.across_slope;
       if (!(T(0) < slope) || !(T(0) < slip_.denominator)) {

@@ -117,8 +117,8 @@ class Balance {
   void see(const Support<T>& at, const Vec3<T>& force, const Vec3<T>& torque, const Wrench& left, Wrench& best,
            T& value) const {
     const Vec3<T> moment = formula::plus(formula::cross(at.r, force), torque);
-    Wrench ray = {force.x(), force.y(), force.z(), T(moment.x() / length_), T(moment.y() / length_),
-                  T(moment.z() / length_)};
+    Wrench ray = {
+        force.x(), force.y(), force.z(), T(moment.x() / length_), T(moment.y() / length_), T(moment.z() / length_)};
     const T size = scalar::sqrt(dot(ray, ray));
     for (T& component : ray) {
       component = component / size;
