@@ -206,53 +206,5 @@ TEST_F(CliDrop, ASeriesLeavesNoHalfFile) {
   EXPECT_EQ(files().size(), 1U);
 }
 
-// --- help
-
-TEST_F(CliDrop, TheExamplesOfItsHelpRun) {
-  const std::string all = printed({"drop", "--help"});
-  for (const auto* option : {"--size",
-                             "--color",
-                             "--width",
-                             "--height",
-                             "--bevel",
-                             "--mass",
-                             "--density",
-                             "--from",
-                             "--position",
-                             "--tilt",
-                             "--tilt-axis",
-                             "--velocity",
-                             "--spin",
-                             "--on",
-                             "--restitution",
-                             "--friction",
-                             "--friction-model",
-                             "--slip-coefficient",
-                             "--patch-radius",
-                             "--rolling-resistance",
-                             "--pivot-radius",
-                             "--gravity",
-                             "--law",
-                             "--until",
-                             "--tolerance",
-                             "--format",
-                             "--series",
-                             "--csv",
-                             "Exit status:"}) {
-    EXPECT_NE(all.find(option), std::string::npos) << option;
-  }
-  std::istringstream help(all);
-  int examples = 0;
-  for (std::string line; std::getline(help, line);) {
-    if (line.starts_with("  goishi drop ")) {
-      std::istringstream typed(line.substr(std::string("  goishi ").size()));
-      EXPECT_FALSE(printed(Words{std::istream_iterator<std::string>(typed), {}}).empty()) << line;
-      ++examples;
-    }
-  }
-  EXPECT_GE(examples, 4);
-  EXPECT_NE(printed({"--help"}).find("\n  drop "), std::string::npos);
-}
-
 }  // namespace
 }  // namespace goishi::cli_test

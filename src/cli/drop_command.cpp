@@ -49,11 +49,11 @@ void add_scene(CLI::App& drop, DropOptions& options) {
   add_value(drop, options.stone.mass, "--mass", "MASS", "Mass of the stone, instead of a density");
   add_value(drop, options.stone.density, "--density", "DENSITY", "Density of the stone\n" + assumed_densities());
   add_value(drop, options.from, "--from", "LENGTH", "Height of the centre of mass above the surface");
-  add_value(drop, options.position, "--position", "X,Y", "Where over the surface it starts, in m [default: 0,0]");
-  add_value(drop, options.tilt, "--tilt", "DEGREES", "How far the stone is turned from lying flat [default: 0]");
+  add_value(drop, options.position, "--position", "X,Y", "Where over the surface it starts [default: 0,0]");
+  add_value(drop, options.tilt, "--tilt", "ANGLE", "How far the stone is turned from lying flat [default: 0]");
   add_value(drop, options.tilt_axis, "--tilt-axis", "X,Y,Z", "What it is turned about [default: 0,1,0]");
-  add_value(drop, options.velocity, "--velocity", "X,Y,Z", "Velocity of the centre, in m/s [default: 0,0,0]");
-  add_value(drop, options.spin, "--spin", "X,Y,Z", "Angular velocity, in the body frame, in rad/s [default: 0,0,0]");
+  add_value(drop, options.velocity, "--velocity", "X,Y,Z", "Velocity of the centre [default: 0,0,0]");
+  add_value(drop, options.spin, "--spin", "X,Y,Z", "Angular velocity, in the body frame [default: 0,0,0]");
   add_value(drop, options.on, "--on", "WHAT",
             "board: the 19-line one, off which a stone may fall to the floor;\n"
             "plane: z = 0 without end [default: board]");
@@ -69,7 +69,7 @@ void add_settings(CLI::App& drop, DropOptions& options) {
             "Friction of a contact that lasts: dry, slip-proportional or coulomb-contensou,\n"
             "under which two a stone may creep on without end [default: dry]");
   add_value(drop, options.slip_coefficient, "--slip-coefficient", "C",
-            "Of slip-proportional, in s/m" + value(settings.slip_coefficient));
+            "Of slip-proportional" + given(settings.slip_coefficient, "s/m"));
   add_value(drop, options.patch_radius, "--patch-radius", "LENGTH",
             "Of coulomb-contensou" + given(settings.patch_radius, "m"));
   add_value(drop, options.rolling_resistance, "--rolling-resistance", "LENGTH",
@@ -77,7 +77,7 @@ void add_settings(CLI::App& drop, DropOptions& options) {
   add_value(drop, options.pivot_radius, "--pivot-radius", "LENGTH",
             "Times the normal force, the torque against turning on the spot" + given(settings.pivot_radius, "m"));
   add_value(drop, options.gravity, "--gravity", "G",
-            "In m/s²: downwards, or a vector x,y,z" + value(-settings.gravity.z()));
+            "Downwards, or a vector x,y,z" + given(-settings.gravity.z(), "m/s²"));
   add_value(drop, options.law, "--law", "LAW",
             "Law of impacts: chatterjee-ruina, published or stronge\n[default: chatterjee-ruina]");
   add_value(drop, options.until, "--until", "WHEN",
@@ -99,7 +99,9 @@ void add_drop(CLI::App& app, DropOptions& options) {
       drop, options.series, "--series", "N",
       fmt::format("Also write N rows of CSV, evenly in time, to the file of --csv;\nN from 2 to {}", most_drop_rows));
   add_value(drop, options.csv, "--csv", "FILE", "Where to, all or nothing");
-  drop.footer(units_note() + drop_notes);
+  drop.footer(numbers_note({measure::length, measure::velocity, measure::acceleration, measure::spin, measure::angle,
+                            measure::density, measure::mass, measure::time, measure::slip_coefficient}) +
+              drop_notes);
 }
 
 }  // namespace goishi::cli
