@@ -33,8 +33,7 @@ Place place(const std::string& command, const std::string& number, const std::st
   std::string rule = count == 1 ? "must be a decimal number"
                                 : "must be " + std::to_string(count) + " decimal numbers with commas between them";
   if (!units.empty()) {
-    rule +=
-        ", bare (" + units.substr(0, units == "kg m² g cm²" ? 6 : units.find(' ')) + ") or with a unit (" + units + ")";
+    rule += ", bare (" + units.substr(0, units.find(',')) + ") or with a unit (" + units + ")";
   }
   return {command, number, rule, units};
 }
@@ -43,15 +42,15 @@ Place whole(const std::string& command, const std::string& number, const std::st
   return {command, number, rule, ""};
 }
 
-const std::string lengths = "m cm mm µm nm km";
-const std::string velocities = "m/s cm/s mm/s km/s";
-const std::string accelerations = "m/s² cm/s² mm/s²";
+const std::string lengths = "m, cm, mm, µm, nm, km";
+const std::string velocities = "m/s, cm/s, mm/s, km/s";
+const std::string accelerations = "m/s², cm/s², mm/s²";
 const std::string spins = "rad/s";
-const std::string angles = "° deg";
-const std::string densities = "kg/m³ g/cm³";
-const std::string masses = "kg g mg";
-const std::string moments = "kg m² g cm²";
-const std::string times = "s ms";
+const std::string angles = "°, deg";
+const std::string densities = "kg/m³, g/cm³";
+const std::string masses = "kg, g, mg";
+const std::string moments = "kg m², g cm²";
+const std::string times = "s, ms";
 const std::string sizes = "must be one of 22 25 28 30 31 32 33 34 35 36 37 38 39 40";
 
 /// Every option of every command that takes numbers.
@@ -257,7 +256,7 @@ TEST_F(CliNumbers, AVectorHasUnitsAsANumberHas) {
                  "position = " + typed + ": must have a unit with each number but 0, or with none");
   }
   expect_error(words_of(contact + "1mm,2ft,0"),
-               "position = 1mm,2ft,0: must have one of the units m cm mm µm nm km, not 'ft'");
+               "position = 1mm,2ft,0: must have one of the units m, cm, mm, µm, nm, km, not 'ft'");
 }
 
 TEST_F(CliNumbers, OutOfRange) {

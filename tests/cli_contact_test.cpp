@@ -229,7 +229,7 @@ TEST_F(CliContact, BadValues) {
   for (const std::string typed : {"0,0", "0,0,1,", "0;0;1"}) {
     expect({"--position", typed}, "position = " + typed +
                                       ": must be 3 decimal numbers with commas between them, bare (m) or with a unit "
-                                      "(m cm mm µm nm km)");
+                                      "(m, cm, mm, µm, nm, km)");
   }
 }
 

@@ -46,9 +46,9 @@ TEST_F(CliDropError, TheNames) {
 }
 
 TEST_F(CliDropError, TheValues) {
-  expect(
-      {"--position", "1"},
-      "position = 1: must be 2 decimal numbers with commas between them, bare (m) or with a unit (m cm mm µm nm km)");
+  expect({"--position", "1"},
+         "position = 1: must be 2 decimal numbers with commas between them, bare (m) or with a unit (m, cm, mm, µm, "
+         "nm, km)");
   expect_each("tilt", {"361", "-360.5"}, "must be from -360 to 360 degrees");
   expect_each("tilt-axis", {"0,0,0", "0,-0,0e5"}, "must not be zero", {"--tilt", "10"});
   expect_each("restitution", {"2", "-0.1", "1.0001"}, "must be from 0 to 1");

@@ -17,8 +17,8 @@ constexpr const char* drop_notes = R"(
 Everything is in the world frame but the spin: the playing surface is z = 0, its middle the
 origin. Tilt is the angle of the stone's symmetry axis from the vertical: 180 degrees when it
 has turned over. The energy counts heights from the surface. What is printed with an event
-is so after it. Computed in double; every number given must be 0 or from 1e-20 to 1e20 in
-SI units.
+is so after it. Computed in double; every number given but the tilt and its axis must be 0
+or from 1e-20 to 1e20 in SI units.
 JSON: SI units; an event has impulse, contact_point, normal, feature (of the stone), touched
 and touched_feature where there are such, and velocity_before, spin_body_before where they
 change; final has the state at the end, its status and what it cost. lower_order: a contact

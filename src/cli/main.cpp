@@ -34,8 +34,8 @@ constexpr int bad_usage = 2;
 
 constexpr const char* about =
     "Shape, mass, moments of inertia, free rotation, contacts and drops of Go stones.\n"
-    "The program computes with 50 digits, so that every digit it prints is right; drops,\n"
-    "which no closed form gives, in double.";
+    "The program computes with 50 digits, so that every digit it prints is right; what no\n"
+    "closed form gives, drops, times of impact and methods that take steps, in double.";
 
 constexpr const char* about_table =
     "The inertia of each stone size: 14 numbers, white and black,\n"
@@ -94,7 +94,7 @@ normal, which points to it, is the shortest way out. Everything is in the world 
 the playing surface is z = 0, its middle the origin. The board has no bottom: below the
 surface its sides go on for ever. Computed with 50 digits; a number below 1e-28 of the
 lengths given is printed as 0. Only the time of impact is computed in double: for it, every
-number given must be 0 or from 1e-20 to 1e20 in SI units.
+number given but an attitude must be 0 or from 1e-20 to 1e20 in SI units.
 JSON: region is null but for the board; time_of_impact is null unless there is a hit.
 
 Examples:
@@ -156,7 +156,8 @@ std::string methods_note() {
          "digit it prints is right. (A component below 1e-28 of its vector is printed as 0;\n"
          "times that turn the body by more than 1e20 rad are refused.)\n"
          "The others compute in double, forwards, for comparison: in equal steps, as few as\n"
-         "are needed for none to be longer than --step, and with --series from row to row.\n"
+         "are needed for none to be longer than --step, and with --series from row to row;\n"
+         "moments, spin and step must be 0 or from 1e-100 to 1e100 in SI units.\n"
          "The angular momentum is in the world frame; spin and moments are in the body frame,\n"
          "whose z is the symmetry axis.\n";
 }
@@ -258,9 +259,9 @@ InvalidArgument as_typed(const CLI::App& command, const InvalidArgument& error) 
     const std::string name = option->get_single_name();
     // "must not exceed the width (0.022)", "no principal moment above … (transverse 1)"
     for (const std::string& before : {"the " + name + " (", "(" + name + " "}) {
-      const std::size_t at = rule.find(before) + before.size();
-      if (typed && rule.find(before) != std::string::npos) {
-        rule.replace(at, rule.find(')', at) - at, *typed);
+      if (const std::size_t at = rule.find(before); typed && at != std::string::npos) {
+        const std::size_t value = at + before.size();
+        rule.replace(value, rule.find(')', value) - value, *typed);
       }
     }
   }

@@ -11,8 +11,8 @@ namespace {
 
 /// A unit as those type it who have no µ, ² and ³. Two letters look like µ: U+00B5 and U+03BC.
 std::string plain(std::string_view unit) {
-  constexpr std::pair<std::string_view, std::string_view> letters[] = {
-      {"\u00b5", "u"}, {"\u03bc", "u"}, {"²", "2"}, {"³", "3"}, {"^", ""}};
+  constexpr std::pair<std::string_view, std::string_view> letters[] = {{"\u00b5", "u"}, {"\u03bc", "u"}, {"²", "2"},
+                                                                       {"³", "3"},      {"^2", "2"},     {"^3", "3"}};
   std::string text(unit);
   for (const auto& [letter, typed] : letters) {
     for (std::size_t at = 0; (at = text.find(letter, at)) != std::string::npos;) {
@@ -68,7 +68,7 @@ Typed read(const std::string& argument, std::string_view text, std::string_view 
 std::string names_of(const Measure& measure) {
   std::vector<std::string_view> names;
   std::ranges::transform(measure.units, std::back_inserter(names), &InputUnit::name);
-  return fmt::format("{}", fmt::join(names, " "));
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 std::string_view trimmed(std::string_view text) {

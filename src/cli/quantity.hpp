@@ -55,7 +55,7 @@ inline constexpr Measure ratio{"ratios", {}};
 
 }  // namespace measure
 
-/// "m cm mm µm nm km"
+/// "m, cm, mm, µm, nm, km"
 [[nodiscard]] std::string names_of(const Measure& measure);
 
 /// Without the blanks (spaces and tabs) around it.
