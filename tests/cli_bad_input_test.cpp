@@ -150,6 +150,14 @@ TEST_F(CliNumbers, OneRuleForAll) {
   }
 }
 
+TEST_F(CliNumbers, WordsInTheirPlaceHaveBlanksToo) {
+  const Words drop = {"drop", "--size", "33", "--from", "2cm"};
+  const std::pair<std::string, std::string> words[] = {{"friction", "inf"}, {"until", "rest"}, {"until", "2-impacts"}};
+  for (const auto& [option, word] : words) {
+    EXPECT_EQ(printed(drop + Words{"--" + option, " " + word + "\t"}), printed(drop + Words{"--" + option, word}));
+  }
+}
+
 TEST_F(CliNumbers, NothingElseIsRead) {
   const Words texts = {"",  " ", "nan", "NaN", "-inf", "Inf", "infinity", "mm",
                        ".", "-", "+-1", "--1", "- 1",  "e5",  "١"};

@@ -80,6 +80,21 @@ TEST_F(CliContact, EveryDigitIsRight) {
   EXPECT_EQ(value_of(leaning, "region"), "null");
 }
 
+TEST_F(CliContact, NoSizeIsTooSmallOrTooLarge) {
+  // The same at every scale: over the plane, and apart from its like.
+  for (const std::string scale : {"", "e300", "e-300", "e99999999", "e-99999999"}) {
+    const std::string lens = "contact --width 8" + scale + " --height 4" + scale + " --format json --position ";
+    const std::string unit = "1.0000000000000000" + (scale.empty() || scale[1] == '-' ? scale : "e+" + scale.substr(1));
+    EXPECT_EQ(value_of(printed(words_of(lens + "0,0,3" + scale + " --against plane")), "gap"), unit);
+    EXPECT_EQ(value_of(printed(words_of(lens + "0,0,0 --against stone --other-position 0,0,5" + scale)), "gap"), unit);
+  }
+  const std::string far =
+      printed(words_of("contact --size 33 --format json --position 0,0,1e-300 --against stone "
+                       "--other-position 0,0,1e300"));
+  EXPECT_EQ(value_of(far, "gap"), "1.0000000000000000e+300");
+  EXPECT_EQ(value_of(far, "normal"), "[0, 0, -1.0000000000000000]");
+}
+
 TEST_F(CliContact, WhatTouchesHasTheGapZero) {
   for (const Words& pose : {Words{"--position", "0,0,0.0046"},
                             {"--position", "0,0,0.011", "--attitude", "0.70710678118654752,0.70710678118654752,0,0"},

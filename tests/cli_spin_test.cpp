@@ -88,6 +88,20 @@ TEST_F(CliSpin, OfThePublishedCase) {
   EXPECT_EQ(texts_of(json, "energy"), std::vector<std::string>{"0.76000000000000000"});
 }
 
+TEST_F(CliSpin, NothingIsTooLightOrTooSlow) {
+  const std::vector<std::string> attitude =
+      texts_of(printed(with(kane_body, {"--time", "10", "--format", "json"})), "attitude");
+  const std::pair<std::string, std::string> scales[] = {
+      {"e300", "e-300"}, {"e-300", "e300"}, {"e99999990", "e-99999990"}, {"e-99999990", "e99999990"}};
+  for (const auto& [scale, inverse] : scales) {
+    EXPECT_EQ(
+        texts_of(printed(words_of("spin --axial 0.02" + inverse + " --transverse 0.04" + inverse + " --spin 2" + scale +
+                                  ",4" + scale + ",6" + scale + " --time 10" + inverse + " --format json")),
+                 "attitude"),
+        attitude);
+  }
+}
+
 TEST_F(CliSpin, JsonHasTheKeysAnd17Digits) {
   const std::string json = printed(with(kane_body, {"--time", "10", "--format", "json"}));
   const std::string number = "-?\\d[.]\\d{16}|-?0[.]0*[1-9]\\d{16}";
@@ -179,6 +193,7 @@ TEST_F(CliSpin, AttitudesOf17DigitsAreUnit) {
   // What the program prints, it reads.
   const std::vector<std::string> printed_attitude =
       texts_of(printed(with(kane_body, {"--time", "10", "--format", "json"})), "attitude");
+  ASSERT_EQ(printed_attitude.size(), 4U);
   std::string typed = printed_attitude[0];
   for (std::size_t i = 1; i < 4; ++i) {
     typed += "," + printed_attitude[i];
