@@ -195,6 +195,8 @@ TEST_F(CliNumbers, TheDigitsTypedAreShown) {
   const std::string turned = "spin --spin 1,2,3 --time 1 ",
                     flown = "contact --size 33 --position 0,0,1 --velocity 0,0,0 ";
   const std::string drop = "drop --size 33 --from 5cm ";
+  const std::string wide = "drop --width 22mm --height 9mm --from 5cm ";
+  const std::string half_width = "is a length, and must not exceed half the width (0.011)";
   // The last option is at fault.
   const std::pair<std::string, std::string> cases[] = {
       {"inertia --height 9mm --width -22." + z + "1mm", "must be positive and finite"},
@@ -234,6 +236,9 @@ TEST_F(CliNumbers, TheDigitsTypedAreShown) {
       {drop + "--friction-model slip-proportional --slip-coefficient -1." + z + "1", "must be finite and at least 0"},
       {drop + "--friction-model coulomb-contensou --patch-radius -1." + z + "1mm", "must be finite and at least 0"},
       {drop + "--tolerance 1." + z + "1", "must be from 100 ε to 0.01"},
+      {drop + "--rolling-resistance 0.3" + z + "1", half_width},
+      {drop + "--pivot-radius 1.2" + z + "1cm", half_width},
+      {wide + "--friction-model coulomb-contensou --patch-radius 11.1" + z + "1mm", half_width},
   };
   for (const auto& [command, rule] : cases) {
     Words words = words_of(command);

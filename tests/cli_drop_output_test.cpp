@@ -111,9 +111,12 @@ TEST_F(CliDrop, ADropThatIsGivenUpSaysSo) {
 
 TEST_F(CliDrop, WhatDoesNotRestIsMoving) {
   // 60 s, unless a time is given.
-  EXPECT_EQ(json({"--from", "1m", "--gravity", "0"})["final"]["time"].GetDouble(), 60.0);
-  EXPECT_EQ(json({"--from", "1m", "--gravity", "0", "--until", "100"})["final"]["time"].GetDouble(), 100.0);
-  EXPECT_NE(printed(with({"--from", "1m", "--gravity", "0"})).find("\nStill moving after 60 s.\n"), std::string::npos);
+  const Words words = {"--from", "1m", "--gravity", "0", "--velocity", "1,0,0"};
+  EXPECT_EQ(json(words)["final"]["time"].GetDouble(), 60.0);
+  EXPECT_EQ(json(words + Words{"--until", "100"})["final"]["time"].GetDouble(), 100.0);
+  EXPECT_NE(printed(with(words)).find("\nStill moving after 60 s.\n"), std::string::npos);
+  EXPECT_NE(printed(with({"--from", "1m", "--gravity", "0"})).find("\nAt rest, touching nothing, after 0 s.\n"),
+            std::string::npos);
 }
 
 // --- the series

@@ -38,6 +38,7 @@ struct Subject {
   if (i % 4 == 3) {
     set.rolling_resistance = set.pivot_radius = 0.0;
   }
+  set = filled(set, drawn.specimen.stone);
 
   TouchingBody& witness = drawn.witness;
   witness.hull = narrow(hull_of(drawn.specimen));
@@ -48,11 +49,11 @@ struct Subject {
                                     TouchingBody::Law::patch};
   witness.law = laws[static_cast<int>(set.friction_model)];
   witness.mu = set.friction;
-  witness.coefficient = set.slip_coefficient;
-  witness.patch = 8 * static_cast<Long>(set.patch_radius) / (3 * std::numbers::pi_v<Long>);
-  witness.creep = set.creep_speed;
-  witness.rolling_resistance = set.rolling_resistance;
-  witness.pivot_radius = set.pivot_radius;
+  witness.coefficient = *set.slip_coefficient;
+  witness.patch = 8 * static_cast<Long>(*set.patch_radius) / (3 * std::numbers::pi_v<Long>);
+  witness.creep = *set.creep_speed;
+  witness.rolling_resistance = *set.rolling_resistance;
+  witness.pivot_radius = *set.pivot_radius;
   return drawn;
 }
 

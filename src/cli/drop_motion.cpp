@@ -55,7 +55,7 @@ class Between {
   /// by about g t. A lift-off may change it by `contact_speed`.
   [[nodiscard]] bool flies() const {
     const State<double> there = flown(to_.time);
-    const double slack = 2 * scene_.settings.contact_speed;
+    const double slack = 2 * *filled(scene_.settings, scene_.stone, gravity().norm()).contact_speed;
     const double round_off = 1e-12;
     const double t = to_.time - from_.time;
     return (there.v_WB - to_.before.v_WB).norm() <= slack + round_off * there.v_WB.norm() &&

@@ -25,8 +25,12 @@ Vec3<double> in_drop(const char* argument, const Vec3<Number>& v) {
   return {in_drop(argument, v.x()), in_drop(argument, v.y()), in_drop(argument, v.z())};
 }
 
-double value_or(const char* argument, const Text& text, double otherwise, const Measure& measure) {
-  return text ? in_drop(argument, parse(argument, *text, measure)) : otherwise;
+/// Sets what was typed.
+template <class Setting>
+void set(Setting& setting, const char* argument, const Text& text, const Measure& measure) {
+  if (text) {
+    setting = in_drop(argument, parse(argument, *text, measure));
+  }
 }
 
 /// The value whose name was typed; the first when none was.
@@ -54,12 +58,6 @@ FrictionModel parse_friction_model(const Text& text) {
   constexpr FrictionModel models[] = {FrictionModel::dry, FrictionModel::slip_proportional,
                                       FrictionModel::coulomb_contensou};
   return named("friction-model", text, models, [](FrictionModel model) { return to_string(model); });
-}
-
-/// 0 <= μ; "inf" lets nothing slip.
-double parse_friction(const Text& text, double otherwise) {
-  return text && trimmed(*text) == "inf" ? std::numeric_limits<double>::infinity()
-                                         : value_or("friction", text, otherwise, measure::ratio);
 }
 
 Vec3<double> parse_gravity(const Text& text) {
@@ -91,7 +89,7 @@ std::string parse_until(const Text& text, DropSettings<double>& settings) {
     const Number time = parse("until", *text, measure::time);
     require_positive("until", time);
     settings.horizon = in_drop("until", time);
-    return fmt::format("{:.6g} s", settings.horizon);
+    return fmt::format("{:.6g} s", *settings.horizon);
   }
   throw InvalidArgument("until", *text, "must be rest, a time such as 500ms, or a count such as 5-impacts");
 }
@@ -142,22 +140,24 @@ void check_combination(const DropOptions& options) {
   only_for("patch-radius", options.patch_radius, FrictionModel::coulomb_contensou);
 }
 
-DropSettings<double> settings_of(const DropOptions& options, std::string& until) {
+DropSettings<double> settings_of(const DropOptions& options, const Stone<double>& stone, std::string& until) {
   DropSettings<double> settings;
-  settings.restitution = value_or("restitution", options.restitution, settings.restitution, measure::ratio);
-  settings.friction = parse_friction(options.friction, settings.friction);
+  set(settings.restitution, "restitution", options.restitution, measure::ratio);
+  if (options.friction && trimmed(*options.friction) == "inf") {  // nothing slips
+    settings.friction = std::numeric_limits<double>::infinity();
+  } else {
+    set(settings.friction, "friction", options.friction, measure::ratio);
+  }
   settings.gravity = parse_gravity(options.gravity);
-  settings.rolling_resistance =
-      value_or("rolling-resistance", options.rolling_resistance, settings.rolling_resistance, measure::length);
-  settings.pivot_radius = value_or("pivot-radius", options.pivot_radius, settings.pivot_radius, measure::length);
+  set(settings.rolling_resistance, "rolling-resistance", options.rolling_resistance, measure::length);
+  set(settings.pivot_radius, "pivot-radius", options.pivot_radius, measure::length);
   settings.friction_model = parse_friction_model(options.friction_model);
-  settings.slip_coefficient =
-      value_or("slip-coefficient", options.slip_coefficient, settings.slip_coefficient, measure::slip_coefficient);
-  settings.patch_radius = value_or("patch-radius", options.patch_radius, settings.patch_radius, measure::length);
+  set(settings.slip_coefficient, "slip-coefficient", options.slip_coefficient, measure::slip_coefficient);
+  set(settings.patch_radius, "patch-radius", options.patch_radius, measure::length);
   settings.law = parse_law(options.law);
-  settings.tolerance = value_or("tolerance", options.tolerance, settings.tolerance, measure::ratio);
+  set(settings.tolerance, "tolerance", options.tolerance, measure::ratio);
   until = parse_until(options.until, settings);
-  require_settings(settings);
+  require_settings(settings, stone);
   return settings;
 }
 
@@ -195,7 +195,6 @@ DropScene scene_of(const DropOptions& options) {
   if (named("on", options.on, grounds, [](On on) { return on == On::board ? "board" : "plane"; }) == On::board) {
     scene.board = make_board<double>();
   }
-  scene.settings = settings_of(options, scene.until);
   const Subject subject = subject_of(options.stone);
   scene.title = described(subject);
   const Stone<Number> stone = stone_of(subject);
@@ -203,6 +202,7 @@ DropScene scene_of(const DropOptions& options) {
   static_cast<void>(in_drop("height", stone.height));
   static_cast<void>(in_drop("bevel", stone.bevel));
   scene.stone = stone_cast<double>(stone);
+  scene.settings = settings_of(options, scene.stone, scene.until);
   const MassProperties<Number> properties = properties_of(stone, options.stone, subject.assumed_density);
   if (options.stone.density) {
     static_cast<void>(in_drop("density", properties.density));

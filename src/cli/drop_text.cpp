@@ -72,10 +72,10 @@ std::string friction_of(const DropSettings<double>& settings) {
   switch (settings.friction_model) {
     case FrictionModel::slip_proportional:
       return fmt::format("friction of impacts {:.6g}, of contacts slip-proportional, {:.6g} s/m", settings.friction,
-                         settings.slip_coefficient);
+                         *settings.slip_coefficient);
     case FrictionModel::coulomb_contensou:
       return fmt::format("coulomb-contensou friction {:.6g} on a patch of {:.6g} m", settings.friction,
-                         settings.patch_radius);
+                         *settings.patch_radius);
     case FrictionModel::dry:
       break;
   }
@@ -83,8 +83,9 @@ std::string friction_of(const DropSettings<double>& settings) {
 }
 
 std::string header_of(const DropScene& scene) {
-  const DropSettings<double>& s = scene.settings;
-  const Vec3<double>& g = s.gravity;
+  const Vec3<double>& g = scene.settings.gravity;
+  // Without gravity the lengths, which are all that is shown of what is filled in, are the same.
+  const DropSettings<double> s = filled(scene.settings, scene.stone, 0 < g.norm() ? g.norm() : 1);
   const std::string gravity = g.x() == 0 && g.y() == 0 && g.z() <= 0
                                   ? fmt::format("{:.6g}", g.z() == 0 ? 0 : -g.z())
                                   : fmt::format("({:.6g}, {:.6g}, {:.6g})", g.x(), g.y(), g.z());
@@ -95,7 +96,7 @@ std::string header_of(const DropScene& scene) {
       "rolling resistance {:.6g} m, pivot radius {:.6g} m; tolerance {:.6g}; until {}\n\n",
       scene.title, scene.board ? "board" : "plane z = 0", scene.body.mass,
       scene.density_assumed ? " (density assumed)" : "", gravity, s.restitution, name_of(s.law), friction_of(s),
-      s.rolling_resistance, s.pivot_radius, s.tolerance, scene.until);
+      *s.rolling_resistance, *s.pivot_radius, s.tolerance, scene.until);
 }
 
 /// What was computed, but for what was not.
@@ -123,7 +124,9 @@ std::string end_of(const DropScene& scene, const Drop<double>& drop) {
   const std::string when = fmt::format("{:.6g} s", drop.time);
   switch (drop.status) {
     case DropStatus::rest:
-      return fmt::format("at rest on the {} after {}", to_string(touched_last(scene, drop)), when);
+      return touched_last(scene, drop) == Touched::nothing
+                 ? fmt::format("at rest, touching nothing, after {}", when)
+                 : fmt::format("at rest on the {} after {}", to_string(touched_last(scene, drop)), when);
     case DropStatus::rest_leaning:
       return fmt::format("at rest, leaning, after {}", when);
     case DropStatus::moving:

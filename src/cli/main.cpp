@@ -258,7 +258,7 @@ InvalidArgument as_typed(const CLI::App& command, const InvalidArgument& error) 
     const auto typed = typed_for(option);
     const std::string name = option->get_single_name();
     // "must not exceed the width (0.022)", "no principal moment above … (transverse 1)"
-    for (const std::string& before : {"the " + name + " (", "(" + name + " "}) {
+    for (const std::string& before : {"exceed the " + name + " (", "below the " + name + " (", "(" + name + " "}) {
       if (const std::size_t at = rule.find(before); typed && at != std::string::npos) {
         const std::size_t value = at + before.size();
         rule.replace(value, rule.find(')', value) - value, *typed);

@@ -74,7 +74,7 @@ Measurement measure_patch(Context& context) {
     start.v_WB = {0.6, 0.8, 0.0};
     start.L_W = {0.0, 0.0, spin * body.moments.z()};
     const Long turning = 8 * static_cast<Long>(patch) * spin / (3 * std::numbers::pi_v<Long>);
-    const Long k = std::hypot(turning, static_cast<Long>(settings.creep_speed));
+    const Long k = std::hypot(turning, static_cast<Long>(*filled(settings, ball).creep_speed));
     const auto F = [&](Long s) { return std::sqrt(s * s + k * k) - k * std::asinh(k / s); };
     const Long rate = 3.5L * mu * static_cast<Long>(g_earth);
     const Long all = (F(1) - F(0.05L)) / rate;
@@ -82,7 +82,7 @@ Measurement measure_patch(Context& context) {
     const Drop<double> dropped = goishi::drop(ball, body, start, settings);
     const Long3 w = dropped.state.L_W.cast<Long>() / static_cast<Long>(body.moments.z());
     const Long3 slip = context.produced(dropped.state.v_WB).cast<Long>() + w.cross(Long3(0, 0, -0.011L));
-    worst.see(as_double(std::fabs((F(1) - F(slip.norm())) / rate / static_cast<Long>(settings.horizon) - 1)),
+    worst.see(as_double(std::fabs((F(1) - F(slip.norm())) / rate / static_cast<Long>(*settings.horizon) - 1)),
               [&] { return fmt::format("μ = {:a}, {:a} rad/s, patch {:a} m", mu, spin, patch); });
     worst.see(as_double(std::fabs(w.z() / spin - 1)), [] { return "spin of the ball"; });
   }
@@ -139,10 +139,10 @@ std::vector<Claim> drop_friction_claims() {
        .bound = 4e-10,
        .reason = "some ten steps of tolerance 1e-9, of order 5; measured 2026-11-22",
        .resolution = 5e-12,
-       .mutants = {{"drop/run.hpp", "T(8) * settings.patch_radius / (T(3)", "T(8) * settings.patch_radius / (T(4)"},
+       .mutants = {{"drop/run.hpp", "T(8) * patch_radius / (T(3)", "T(8) * patch_radius / (T(4)"},
                    {"drop/slip.hpp", "scalar::sq(T(patch * w_z)) + creep_square", "scalar::sq(T(patch * w_z))"},
-                   {"drop/run.hpp", "const bool patch = T(0) < settings.patch_radius",
-                    "const bool patch = T(0) <= settings.patch_radius"}},
+                   {"drop/run.hpp", "const bool patch = T(0) < patch_radius",
+                    "const bool patch = T(0) <= patch_radius"}},
        .measure = measure_patch},
   };
 }

@@ -207,7 +207,7 @@ std::vector<Claim> drop_whole_claims() {
        .bound = 1e-7,
        .reason = "the bar, which asks it of the median",
        .resolution = 2e-9,
-       .mutants = {{"drop/integrator.hpp", "const T small = T(1e-12);", "const T small = T(1e-4);"}},
+       .mutants = {{"drop/integrator.hpp", "const T small = at_least(T(1e-12),", "const T small = at_least(T(1e-4),"}},
        .measure = measure_tolerance},
       {.id = "DROP-20",
        .statement =

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace goishi::verify::stress {
 
@@ -116,9 +117,8 @@ class Judge {
     for (const Event<double>& event : drop_.events) {
       const State<double>& now = event.after;
       const double size = m * (g * now.p_WB.norm() + now.v_WB.squaredNorm()) + std::fabs(event.energy);
-      const double hops =
-          m * (drop_.lower_order ? set.edge_speed * set.edge_speed : set.contact_speed * set.contact_speed);
-      const double rise = (event.energy - last) / (allowed + hops + 1e-13 * size);
+      const double hops = drop_.lower_order ? m * *set.edge_speed * *set.edge_speed : 0.0;
+      const double rise = (event.energy - last) / (allowed + hops + 1e-13 * size + std::numeric_limits<double>::min());
       if (verdict_.energy_rise < rise) {
         verdict_.energy_rise = rise;
       }
@@ -140,11 +140,12 @@ class Judge {
           fault("rests, and moves");
         }
         if (drop_.status == DropStatus::rest) {
-          goes_on_resting();
+          is_balanced();
         }
+        goes_on_resting();
         break;
       case DropStatus::moving:
-        if (drop_.time < set.horizon * (1.0 - 1e-14) && done.impacts < set.maximum_impacts) {
+        if (drop_.time < *set.horizon * (1.0 - 1e-14) && done.impacts < set.maximum_impacts) {
           fault("stopped before the horizon");
         }
         break;
@@ -157,12 +158,14 @@ class Judge {
         }
         break;
       case DropStatus::too_many_events:
+        given_up();
         if (drop_.events.size() < static_cast<std::size_t>(set.maximum_events)) {
           fault("gave up at fewer events than allowed");
         }
         break;
       case DropStatus::too_many_steps:
-        if (done.steps_accepted < set.maximum_steps && done.edge_impacts < set.maximum_steps) {
+        given_up();
+        if (done.work() < set.maximum_steps) {
           fault("gave up at fewer steps than allowed");
         }
         break;
@@ -172,16 +175,51 @@ class Judge {
     }
   }
 
+  void given_up() {
+    if (scene_.physical) {
+      fault(fmt::format("{} after {} s", to_string(drop_.status), drop_.time));
+    }
+  }
+
+  /// By the definition: gravity through the contact point, within the cone, its lever within the resistance.
+  void is_balanced() {
+    const DropSettings<double>& set = scene_.settings;
+    const Vec3<double>& g = set.gravity;
+    if (!(0.0 < g.norm())) {
+      return;
+    }
+    const double floor = drop_.ground == Ground::floor ? scene_.board->floor : 0.0;
+    const Separation<double> contact = separation(scene_.stone, Pose<double>{drop_.state.p_WB, drop_.state.q_WB},
+                                                  Plane<double>{Vec3<double>::UnitZ(), floor});
+    const Vec3<double> r = contact.p_stone - drop_.state.p_WB, torque = r.cross(-g);
+    const bool patch = 0.0 < *set.patch_radius && std::isfinite(set.friction);
+    const bool dry = set.friction_model == FrictionModel::dry ||
+                     (set.friction_model == FrictionModel::coulomb_contensou && !patch);
+    const double mu = dry ? set.friction : 0.0, pull = std::hypot(g.x(), g.y());
+    const double delta = std::fmax(*set.rolling_resistance, *set.pivot_radius / 100.0);
+    const double kappa = std::fmax(*set.pivot_radius, *set.rolling_resistance / 100.0);
+    const double slack = 1e-12 * width_;
+    const double load = std::hypot(torque.x(), torque.y()) / (delta + slack), pivot = torque.z() / (kappa + slack);
+    if (!(g.z() < 0.0) || !(pull <= (mu + 1e-12) * -g.z())) {
+      fault(fmt::format("rests where friction does not hold it: {} of {}", pull, mu * -g.z()));
+    }
+    if (!(std::hypot(load, pivot) <= -g.z() * (1.0 + 1e-9))) {
+      fault(fmt::format("rests where resistance does not hold it: {:.6g} of 1", std::hypot(load, pivot) / -g.z()));
+    }
+  }
+
   /// A drop from the place of rest rests at once, and there.
   void goes_on_resting() {
     Scene again = scene_;
     again.start = drop_.state;
     const Drop<double> then = run(again);
-    if (then.lower_order) {
-      return;  // it touches a side, too, and that scheme nudges it off
-    }
     const double moved = (then.state.p_WB - drop_.state.p_WB).norm() / width_;
-    if (then.status != DropStatus::rest || !(moved <= 1e-9)) {
+    // On an edge or at two places it rests above them by up to a hop, and hops to rest anew.
+    const double hop = drop_.lower_order ? 20.0 * *scene_.settings.edge_speed * *scene_.settings.edge_speed /
+                                               (scene_.settings.gravity.norm() * width_)
+                                         : 0.0;
+    const bool rests = then.status == DropStatus::rest || (drop_.lower_order && then.status == DropStatus::rest_leaning);
+    if (!rests || !(moved <= 1e-9 + hop)) {
       fault(fmt::format("dropped from its place of rest it ends as '{}' after {} s, {:.3g} widths away",
                         to_string(then.status), then.time, moved));
     }

@@ -31,8 +31,7 @@ class Dice {
   std::mt19937_64 random_;
 };
 
-Stone<double> draw_stone(Dice& dice) {
-  const double w = 0.022;
+Stone<double> draw_stone(Dice& dice, double w) {
   double h = w;
   switch (dice.of(5)) {
     case 0:
@@ -59,25 +58,40 @@ Stone<double> draw_stone(Dice& dice) {
   }
 }
 
-void draw_material(Dice& dice, DropSettings<double>& settings) {
+void draw_material(Dice& dice, Scene& scene) {
+  DropSettings<double>& settings = scene.settings;
   const double restitutions[] = {0.0, 1.0, 1.0 - dice.decades(-4.0, -1.0)};
-  const int e = dice.of(6);
-  settings.restitution = e < 3 ? restitutions[e] : dice.uniform(0.0, 1.0);
+  const int e = dice.of(12);
+  settings.restitution = e < 3 ? restitutions[e] : dice.uniform(0.0, 0.9);
   const double frictions[] = {0.0, std::numeric_limits<double>::infinity(), dice.decades(-5.0, 3.0)};
-  const int mu = dice.of(6);
-  settings.friction = mu < 3 ? frictions[mu] : dice.uniform(0.0, 1.0);
-  const double length = dice.decades(-9.0, -3.0);
-  switch (dice.of(5)) {
+  const int mu = dice.of(12);
+  settings.friction = mu < 3 ? frictions[mu] : dice.uniform(0.05, 1.0);
+  const double w = scene.stone.width;
+  // Mostly so much that the stone comes to rest.
+  const auto length = [&] { return w * dice.decades(dice.of(6) == 0 ? -7.0 : -3.0, std::log10(0.25)); };
+  const double first = length(), second = length(), beyond = w * dice.uniform(0.25, 0.5);
+  switch (dice.of(8)) {
     case 0:
       settings.rolling_resistance = settings.pivot_radius = 0.0;
       break;
     case 1:
-      settings.rolling_resistance = length;
+      settings.rolling_resistance = first;
       settings.pivot_radius = 0.0;
       break;
     case 2:
       settings.rolling_resistance = 0.0;
-      settings.pivot_radius = length;
+      settings.pivot_radius = second;
+      break;
+    case 3:
+    case 4:
+      settings.rolling_resistance = first;
+      settings.pivot_radius = second;
+      break;
+    case 5:
+      if (dice.of(4) == 0) {
+        (dice.of(2) == 0 ? settings.rolling_resistance : settings.pivot_radius) = beyond;
+        scene.physical = false;
+      }
       break;
     default:
       break;
@@ -86,22 +100,24 @@ void draw_material(Dice& dice, DropSettings<double>& settings) {
     case 0:
     case 1:
       settings.friction_model = FrictionModel::slip_proportional;
-      settings.slip_coefficient = dice.decades(-2.0, 1.0);
+      settings.slip_coefficient = dice.decades(-2.0, 1.0) / std::sqrt(9.8 * w);
       break;
     case 2:
       settings.friction_model = FrictionModel::coulomb_contensou;
-      settings.patch_radius = dice.decades(-5.0, -3.0);
+      settings.patch_radius = w * dice.decades(-3.5, -1.5);
       break;
     default:
       break;
   }
-  settings.damping = dice.of(10) == 0 ? dice.uniform(0.0, 5.0) : 0.0;
+  settings.damping = dice.of(10) == 0 ? dice.uniform(0.0, 0.2) * std::sqrt(9.8 / w) : 0.0;
   const ImpactLaw laws[] = {ImpactLaw::published, ImpactLaw::stronge};
   const int law = dice.of(6);
   settings.law = law < 2 ? laws[law] : ImpactLaw::chatterjee_ruina;
   if (dice.of(6) == 0) {
-    const Vec3<double> lean = dice.normal3();
+    const Vec3<double> lean = (dice.of(2) == 0 ? 1.0 : dice.decades(-5.0, 1.0)) * dice.normal3();
     settings.gravity = dice.uniform(0.5, 1.5) * Vec3<double>(lean.x(), lean.y(), -9.8);
+  } else if (dice.of(100) == 0) {
+    settings.gravity = Vec3<double>::Zero();
   }
 }
 
@@ -121,7 +137,7 @@ Quat<double> draw_attitude(Dice& dice) {
   }
 }
 
-/// Over the plane, the surface, its edges and corners, or beside the board.
+/// Over the plane, the surface, its edges and corners, or beside the board; for a stone 22 mm wide   [m].
 Vec3<double> draw_place(Dice& dice, std::optional<Board<double>>& board) {
   const int place = dice.of(6);
   const double height = dice.uniform(0.012, 0.06);
@@ -129,7 +145,11 @@ Vec3<double> draw_place(Dice& dice, std::optional<Board<double>>& board) {
     return {0.0, 0.0, height};
   }
   board = make_board<double>();
-  const auto edge = [&](double half) { return (dice.of(2) == 0 ? 1.0 : -1.0) * (half + dice.uniform(-0.012, 0.012)); };
+  const auto edge = [&](double half) {
+    const double off[] = {0.0, dice.decades(-12.0, -4.0), dice.uniform(-0.012, 0.012)};
+    const int near = dice.of(12);
+    return (dice.of(2) == 0 ? 1.0 : -1.0) * (half + off[near < 2 ? near : 2]);
+  };
   const double along_x = dice.uniform(-0.25, 0.25), along_y = dice.uniform(-0.26, 0.26);
   switch (place) {
     case 0:
@@ -141,6 +161,15 @@ Vec3<double> draw_place(Dice& dice, std::optional<Board<double>>& board) {
     default:
       return {board->half_width + 0.012 + dice.decades(-9.0, -1.5), along_y, dice.uniform(-0.13, 0.02)};
   }
+}
+
+Board<double> scaled(const Board<double>& board, double by) {
+  Board<double> other = board;
+  for (double* length : {&other.half_width, &other.half_length, &other.thickness, &other.floor, &other.spacing_x,
+                         &other.spacing_y}) {
+    *length *= by;
+  }
+  return other;
 }
 
 /// Down or sideways to where the stone touches.
@@ -177,23 +206,38 @@ Vec3<double> draw_spin(Dice& dice) {
 Scene draw_scene(std::uint64_t seed, std::uint64_t index) {
   Dice dice(seed, index);
   Scene scene;
-  scene.stone = draw_stone(dice);
+  const double size = dice.of(5) == 0 ? dice.decades(-6.0, 4.0) : 1.0;
+  const double pace = std::sqrt(size);
+  scene.stone = draw_stone(dice, 0.022 * size);
   scene.body = make_rigid_body(mass_properties(scene.stone, Density{2800.0}));
-  draw_material(dice, scene.settings);
-  scene.settings.tolerance = dice.decades(-9.0, -5.0);
-  scene.settings.horizon = dice.of(20) == 0 ? 10.0 : dice.uniform(0.5, 3.0);
-  scene.settings.maximum_events = 20000;
-  scene.settings.maximum_steps = 100000;
-  scene.start.p_WB = draw_place(dice, scene.board);
+  draw_material(dice, scene);
+  scene.settings.tolerance = dice.decades(-9.0, -4.0);
+  scene.start.p_WB = size * draw_place(dice, scene.board);
+  if (scene.board) {
+    *scene.board = scaled(*scene.board, size);
+  }
   const Vec3<double> velocity = dice.normal3();
   const double speeds[] = {0.0, 0.05};
   const int speed = dice.of(4);
-  scene.start.v_WB = (speed < 2 ? speeds[speed] : dice.uniform(0.0, 1.0)) * velocity;
+  scene.start.v_WB = pace * (speed < 2 ? speeds[speed] : dice.uniform(0.0, 1.0)) * velocity;
   scene.start.q_WB = draw_attitude(dice);
-  scene.start.L_W = formula::angular_momentum_W(scene.start.q_WB, scene.body, draw_spin(dice));
+  scene.start.L_W = formula::angular_momentum_W(scene.start.q_WB, scene.body, Vec3<double>(draw_spin(dice) / pace));
   if (dice.of(6) == 0) {
     bring_to_touch(scene);
   }
+  DropSettings<double>& set = scene.settings;
+  const bool free = !(0.0 < set.gravity.norm());
+  set = filled(set, scene.stone, free ? 9.8 : set.gravity.norm());
+  // What nothing brings to rest is not followed for long: a slope that is too steep for it, next to no resistance, a law
+  // without sticking where the stone may lean. Nor does an elastic stone bounce for ever.
+  const double pull = std::hypot(set.gravity.x(), set.gravity.y()), weight = -set.gravity.z();
+  const double least = std::fmin(*set.rolling_resistance, *set.pivot_radius);
+  const bool sticks = set.friction_model == FrictionModel::dry;
+  const bool steep = !(pull * scene.stone.width < weight * least) || !(pull < 0.9 * set.friction * weight);
+  if (free || (0.0 < pull && (steep || !sticks)) || least < 1e-4 * scene.stone.width || (scene.board && !sticks)) {
+    set.horizon = pace * dice.uniform(0.5, 3.0);
+  }
+  set.maximum_impacts = 20000;
   return scene;
 }
 
@@ -208,12 +252,12 @@ std::string describe(const Scene& scene) {
   const State<double>& start = scene.start;
   const Vec3<double> w_B = formula::angular_velocity_B(start, scene.body);
   return fmt::format(
-      "h/w = {:.6g}, b/h = {:.6g}; e = {:.6g}, μ = {:.6g}, δ = {:.3g} m, κ = {:.3g} m; {}, {}; damping {:.3g}/s; "
+      "w = {:.3g} m, h/w = {:.6g}, b/h = {:.6g}; e = {:.6g}, μ = {:.6g}, δ = {:.3g} m, κ = {:.3g} m; {}, {}; damping {:.3g}/s; "
       "tolerance {:.2g}; horizon {:.3g} s; on the {}; p = ({:.6g}, {:.6g}, {:.6g}), v = ({:.3g}, {:.3g}, {:.3g}), "
       "q = ({:.6g}, {:.6g}, {:.6g}, {:.6g}), ω_B = ({:.4g}, {:.4g}, {:.4g}), g = ({:.3g}, {:.3g}, {:.3g})",
-      stone.height / outer_width(stone), stone.bevel / stone.height, set.restitution, set.friction,
-      set.rolling_resistance, set.pivot_radius, to_string(set.law), to_string(set.friction_model), set.damping,
-      set.tolerance, set.horizon, scene.board ? "board" : "plane", start.p_WB.x(), start.p_WB.y(), start.p_WB.z(),
+      stone.width, stone.height / outer_width(stone), stone.bevel / stone.height, set.restitution, set.friction,
+      *set.rolling_resistance, *set.pivot_radius, to_string(set.law), to_string(set.friction_model), set.damping,
+      set.tolerance, *set.horizon, scene.board ? "board" : "plane", start.p_WB.x(), start.p_WB.y(), start.p_WB.z(),
       start.v_WB.x(), start.v_WB.y(), start.v_WB.z(), start.q_WB.w(), start.q_WB.x(), start.q_WB.y(), start.q_WB.z(),
       w_B.x(), w_B.y(), w_B.z(), set.gravity.x(), set.gravity.y(), set.gravity.z());
 }

@@ -1,6 +1,7 @@
 #include "verify/stress/stress.hpp"
 
 #include <fmt/format.h>
+#include <time.h>
 
 #include <algorithm>
 #include <atomic>
@@ -14,6 +15,13 @@ namespace goishi::verify::stress {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// Processor time of this thread, which other programs do not lengthen   [s].
+double busy_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -32,10 +40,9 @@ struct Desk {
     since = Clock::now();
     busy = true;
   }
-  double end() {
+  void end() {
     const std::lock_guard lock(mutex);
     busy = false;
-    return seconds_since(since);
   }
 };
 
@@ -51,6 +58,8 @@ void add(Tally& tally, std::uint64_t index, const Verdict& verdict, double secon
   }
   if (!verdict.faults.empty()) {
     tally.failures.push_back({index, verdict.faults.front()});
+  } else if (long_drop < seconds) {
+    tally.failures.push_back({index, fmt::format("takes {:.2f} s", seconds)});
   }
 }
 
@@ -82,8 +91,10 @@ Tally run_stress(const Order& order, const std::function<void(std::uint64_t)>& p
         break;
       }
       desk.begin(index);
+      const double before = busy_seconds();
       const Verdict verdict = judge_index(order.seed, index);
-      const double seconds = desk.end();
+      const double seconds = busy_seconds() - before;
+      desk.end();
       const std::lock_guard lock(mutex);
       add(tally, index, verdict, seconds);
       progress(tally.samples);

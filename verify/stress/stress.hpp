@@ -36,6 +36,9 @@ struct Tally {
   std::vector<Failure> failures;
 };
 
+/// A drop that computes for longer, its judgement included, is reported as a failure.
+inline constexpr double long_drop = 0.5;  // [s]
+
 /// A drop that runs for longer than this is a failure of its own: the test names it and stops the program.
 inline constexpr double longest_drop = 60.0;  // [s]
 

@@ -207,24 +207,19 @@ class ContactPhase {
     const T v_x = slip[0] - turning.point.x(), v_y = slip[1] - turning.point.y();
     contact_.y[at::L] = contact_.y[at::L + 1] = contact_.y[at::L + 2] = T(0);
     const Kinetics<T> now = kinetics(body_, contact_.feature, contact_.y);
-    const LockedSlide<T> slide(body_, now.r, contact_.scales.length, contact_.scales.speed, run_.settings.tolerance);
+    LockedSlide<T> slide(run_, now.r);
     typename LockedSlide<T>::Motion motion = {contact_.y[at::x], contact_.y[at::y], v_x, v_y};
-    const T before = run_.settings.horizon - run_.time;
-    T left = before;
     Variables<T> where = contact_.y;
     const auto inside = [&](const T& x, const T& y) {
       where[at::x] = x;
       where[at::y] = y;
       return run_.board == nullptr ? T(1) : contact_.support_guard(now, where);
     };
-    const LockedEnd end =
-        slide.run(motion, left, inside, run_.result.counters.steps_accepted, run_.settings.maximum_steps);
-    run_.time = run_.time + (before - left);
+    const LockedEnd end = slide.run(motion, inside);
     contact_.y[at::x] = motion[0];
     contact_.y[at::y] = motion[1];
     contact_.set_slip(motion[2], motion[3]);
-    if (end == LockedEnd::stopped &&
-        !(resistance_share(body_, now.r, Vec3<T>(-body_.gravity), contact_.scales.length) < T(1))) {
+    if (end == LockedEnd::stopped && !is_held(body_, now.r)) {
       // Friction has kept the stone leaning while it slid: without it the stone rocks back.
       contact_.set_slip(T(0), T(0));
       contact_.note(EventKind::stick);

@@ -17,7 +17,7 @@ template <Ordered T>
 class ContactState {
  public:
   explicit ContactState(Run<T>& the_run)
-      : run(the_run), body(the_run.contact_body), scales(contact_scales(the_run.stone, body.strength)) {}
+      : run(the_run), body(the_run.contact_body), scales(the_run.scales) {}
 
   /// From the run's state.
   void enter(Feature which) {
@@ -25,13 +25,13 @@ class ContactState {
     const State<T>& state = run.state;
     rebase(state.q_WB);
     const Vec3<T> L = state.L_W / run.body.mass;
-    y = {origin.x(),     origin.y(),     origin.z(), L.x(), L.y(), L.z(),
-         state.p_WB.x(), state.p_WB.y(), T(0),       T(0),  T(0),  T(0)};
+    y = {origin.x(), origin.y(), origin.z(), state.p_WB.x(), state.p_WB.y(), T(0),
+         T(0),       L.x(),      L.y(),      L.z(),          T(0),           T(0)};
     const Kinetics<T> now = kinetics(body, feature, y);
     // Round-off of what the slip is the difference of, and of a contact point that was told by its place.
     const T speed = scales.speed + size_of(T(state.v_WB.x()), T(state.v_WB.y()));
     const T turn = scalar::sqrt(formula::dot(now.w, now.w)) * state.p_WB.cwiseAbs().maxCoeff();
-    noise = T(1e-12) * speed + T(4) * std::numeric_limits<T>::epsilon() * turn;
+    noise = T(4) * std::numeric_limits<T>::epsilon() * (T(1000) * speed + turn);
     set_slip(T(state.v_WB.x() + now.point.x()), T(state.v_WB.y() + now.point.y()));
   }
 

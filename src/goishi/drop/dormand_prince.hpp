@@ -95,13 +95,16 @@ struct AdditiveTableau {
                                     -T(3700637) / T(11593932),      T(61727) / T(225920)};
 };
 
-/// A step of that pair from y, where the rate is `rate`: the components from `stiff` on are taken implicitly. A stage is
-/// solved by `solve(Y, reach, k)`: of Y_i = Y_i' + reach k_i for its stiff components, Y' given in Y, it leaves the
-/// solution in Y and all rates there in k, which comes with those of the stage before as a first guess; false if there is
-/// none, and then `possible` is. The trial's rate is the last stage's.
+/// A set of components, for each a bit.
+using Components = unsigned;
+
+/// A step of that pair from y, where the rate is `rate`: the components of `stiff` are taken implicitly. A stage is solved
+/// by `solve(Y, reach, k)`: of Y_i = Y_i' + reach k_i for its stiff components, Y' given in Y, it leaves the solution in Y
+/// and all rates there in k, which comes with those of the stage before as a first guess; false if there is none, and then
+/// `possible` is. The trial's rate is the last stage's.
 template <Ordered T, std::size_t N, class Solve>
 [[nodiscard]] Trial<T, N> additive_runge_kutta(const Array<T, N>& y, const Array<T, N>& rate, const T& h,
-                                               std::size_t stiff, bool& possible, Solve&& solve) {
+                                               Components stiff, bool& possible, Solve&& solve) {
   using A = AdditiveTableau<T>;
   Array<T, N> k[A::stages];
   k[0] = rate;
@@ -110,7 +113,7 @@ template <Ordered T, std::size_t N, class Solve>
     for (std::size_t j = 0; j < i; ++j) {
       const T a = h * A::E[i][j], b = h * A::I[i][j];
       for (std::size_t n = 0; n < N; ++n) {
-        stage[n] = stage[n] + (n < stiff ? a : b) * k[j][n];
+        stage[n] = stage[n] + ((stiff >> n & 1U) != 0 ? b : a) * k[j][n];
       }
     }
     k[i] = k[i - 1];

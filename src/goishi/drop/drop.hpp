@@ -17,24 +17,30 @@ namespace detail {
 template <Ordered T>
 [[nodiscard]] Drop<T> dropped(const Stone<T>& stone, const RigidBody<T>& body, const Board<T>* board,
                               const State<T>& start, const DropSettings<T>& settings, const T& time, EventKind first) {
-  require_settings(settings);
+  require_settings(settings, stone);
   require_state(start);
   require_positive("mass", body.mass);
   const Moments<T> moments{.axial = body.moments.z(), .transverse = body.moments.x()};
   require_physical(moments);
   require(!(body.moments.x() < body.moments.y()) && !(body.moments.y() < body.moments.x()), "moments",
           body.moments.transpose(), "must be those of a body with symmetry axis Bz");
+  const T reach = outer_width(stone) / T(2) < stone.height / T(2) ? T(stone.height / T(2)) : T(outer_width(stone) / T(2));
+  const T motion = scalar::sqrt(formula::dot(start.v_WB, start.v_WB)) +
+                   reach / body.moments.minCoeff() * scalar::sqrt(formula::dot(start.L_W, start.L_W));
+  const T strength = strength_of(settings.gravity, stone.width, motion);
+  const DropSettings<T> all = filled(settings, stone, strength);
   Run<T> run{
       .stone = stone,
       .body = body,
       .board = board,
-      .settings = settings,
+      .settings = all,
+      .scales = contact_scales(stone, strength),
       .rates = formula::top_rates(moments),
       .mobility = formula::mobility(body.mass, moments),
       .contact_body = contact_body(
-          stone, Moments<T>{.axial = moments.axial / body.mass, .transverse = moments.transverse / body.mass},
-          settings),
-      .reach = outer_width(stone) / T(2) < stone.height / T(2) ? T(stone.height / T(2)) : T(outer_width(stone) / T(2)),
+          stone, Moments<T>{.axial = moments.axial / body.mass, .transverse = moments.transverse / body.mass}, all,
+          strength),
+      .reach = reach,
       .state = start,
       .time = time};
   // A run that is to stop after so many impacts gets the room for them at once.

@@ -5,6 +5,7 @@
 
 #include <goishi/contact/contact.hpp>
 #include <goishi/drop/run.hpp>
+#include <goishi/drop/statics.hpp>
 #include <goishi/impact/laws.hpp>
 #include <limits>
 
@@ -13,7 +14,7 @@ namespace goishi::detail {
 /// The run's body as an impact sees it.
 template <Ordered T>
 [[nodiscard]] ImpactBody<T> impact_body(const Run<T>& run) {
-  return {run.mobility, run.state.p_WB, formula::symmetry_axis(run.state.q_WB), run.state.v_WB, run.state.L_W};
+  return {run.mobility, run.state.p_WB, formula::symmetry_axis(formula::reunited(run.state.q_WB)), run.state.v_WB, run.state.L_W};
 }
 
 /// What a run notes of a contact.
@@ -46,7 +47,7 @@ class EdgeHops {
       return false;
     }
     if (is_floor(contact)) {
-      return run_.time - last_side_ < T(5e-3);  // [s] longer than a hop takes
+      return run_.time - last_side_ < T(0.15) / run_.scales.frequency;  // longer than a hop takes
     }
     const auto magnitude = [](const T& x) { return x < T(0) ? T(-x) : x; };
     const Board<T>& board = *run_.board;
@@ -68,8 +69,8 @@ class EdgeHops {
     const State<T> before = run_.state;
     run_.state.v_WB = impact.body.v_WB;
     run_.state.L_W = impact.body.L_W;
-    resist(impact.impulse.normal);
-    const T lacking = run_.settings.edge_speed / T(3) - (approach < T(0) ? T(-approach) : approach);
+    resist(contact.n_W, impact.impulse.normal);
+    const T lacking = *run_.settings.edge_speed / T(3) - (approach < T(0) ? T(-approach) : approach);
     if (T(0) < lacking) {
       lift(contact, lacking);
     }
@@ -77,30 +78,39 @@ class EdgeHops {
     if (contact.other_feature != OtherFeature::surface) {
       last_side_ = run_.time;
     }
-    if (T(0.05) < run_.time - last_hop_) {
+    if (T(1.5) / run_.scales.frequency < run_.time - last_hop_) {
       Event<T>& event = run_.record(EventKind::contact, before);
       event.impulse_W = impact.impulse.impulse_W;
       note_contact(event, contact);
       event.outcome = impact.impulse.outcome;
     }
     last_hop_ = run_.time;
-    return rests_leaning();
+    return rests_leaning(contact);
   }
 
  private:
   /// Rolling resistance and pivot friction over the time that a normal impulse stands for; they do not reverse the
   /// turning.
-  void resist(const T& normal) {
+  void resist(const Vec3<T>& n, const T& normal) {
     if (!run_.contact_body.resists) {
       return;
     }
-    const Vec3<T> u = formula::symmetry_axis(run_.state.q_WB);
+    const Vec3<T> u = impact_body(run_).u_W;
     const Vec3<T> w = formula::turning(run_.mobility, u, run_.state.L_W);
-    const Vec3<T> change = normal * resistance_torque(run_.contact_body, w);
+    const Vec3<T> change = normal * resistance_about(n, w);
     const Vec3<T> w_change = formula::turning(run_.mobility, u, change);
     // The energy of rotation is least at the share −change · ω / change · Δω.
     const T power = -formula::dot(change, w), most = formula::dot(change, w_change);
     run_.state.L_W = run_.state.L_W + (power < most ? T(power / most) : T(1)) * change;
+  }
+
+  /// The torque per normal force where the normal is n: pivot friction is against turning about it.
+  [[nodiscard]] Vec3<T> resistance_about(const Vec3<T>& n, const Vec3<T>& w) const {
+    const T pivot = formula::dot(n, w);
+    const Vec3<T> rolling = formula::plus(w, T(-pivot), n);
+    const T size = scalar::sqrt(formula::dot(rolling, rolling));
+    const Vec3<T> torque = resistance_torque(run_.contact_body, Vec3<T>(size, T(0), pivot));
+    return formula::combination(T(0) < size ? T(torque.x() / size) : T(0), rolling, torque.z(), n);
   }
 
   [[nodiscard]] T kinetic_energy_now() const {
@@ -128,7 +138,7 @@ class EdgeHops {
 
   /// However many hops are lifted: never more than one hop's energy above the least that there was.
   void keep_energy() {
-    const T excess = run_.energy() - least_energy_ - run_.body.mass * scalar::sq(run_.settings.edge_speed) / T(2);
+    const T excess = run_.energy() - least_energy_ - run_.body.mass * scalar::sq(*run_.settings.edge_speed) / T(2);
     const T kinetic = kinetic_energy_now();
     if (T(0) < excess && T(0) < kinetic) {
       const T scale = excess < kinetic ? T(scalar::sqrt(T(T(1) - excess / kinetic))) : T(0);
@@ -137,36 +147,40 @@ class EdgeHops {
     }
   }
 
-  /// Whether, for a while, the stone has moved less than its hops would.
-  [[nodiscard]] End rests_leaning() {
-    const T window = T(0.1);  // [s] some 500 hops
-    if (run_.settings.maximum_steps <= run_.result.counters.edge_impacts) {
+  /// Whether the stone moves no faster than its hops, and what it touches holds it where it is.
+  [[nodiscard]] End rests_leaning(const Separation<T>& contact) {
+    if (!run_.has_budget()) {
       return End::too_many;
     }
-    if (run_.time - mark_time_ < window) {
+    const T speed2 = scalar::sq(*run_.settings.edge_speed);
+    if (T(2) * run_.body.mass * speed2 < kinetic_energy_now() || !is_held_here(contact)) {
       return End::none;
     }
-    const Vec3<T> u = formula::symmetry_axis(run_.state.q_WB);
-    const T speed2 = scalar::sq(run_.settings.edge_speed);
-    const bool slow = formula::dot(run_.state.v_WB, run_.state.v_WB) < T(4) * speed2;
-    // The hops themselves let a stone creep that would stand.
-    const T creep = run_.settings.edge_speed * window / T(3);
-    const bool still = (run_.state.p_WB - mark_p_).norm() < creep && (u - mark_u_).norm() * run_.reach < creep;
-    mark_time_ = run_.time;
-    mark_p_ = run_.state.p_WB;
-    mark_u_ = u;
-    if (slow && still) {
-      run_.state.v_WB = run_.state.L_W = Vec3<T>::Zero();
-      return End::rests;
+    run_.state.v_WB = run_.state.L_W = Vec3<T>::Zero();
+    return End::rests;
+  }
+
+  /// By the contact of the hop, and by the floor or the board if that is within a hop's height too.
+  [[nodiscard]] bool is_held_here(const Separation<T>& contact) const {
+    const Vec3<T>& p = run_.state.p_WB;
+    std::array<Support<T>, 2> supports = {Support<T>{contact.p_stone - p, contact.n_W}};
+    std::size_t count = 1;
+    if (run_.board != nullptr) {
+      const Pose<T> pose{p, run_.state.q_WB};
+      const Separation<T> other =
+          is_floor(contact) ? separation(run_.stone, pose, *run_.board)
+                            : separation(run_.stone, pose, Plane<T>{Vec3<T>(T(0), T(0), T(1)), run_.board->floor});
+      const T height = T(2) * scalar::sq(*run_.settings.edge_speed) / run_.contact_body.strength;
+      if (other.gap < height) {
+        supports[count++] = {other.p_stone - p, other.n_W};
+      }
     }
-    return End::none;
+    return is_held(run_.contact_body, supports, count);
   }
 
   Run<T>& run_;
   T least_energy_ = std::numeric_limits<T>::infinity();  // [J] at any hop
-  T last_hop_ = T(-1), last_side_ = T(-1);               // [s]
-  T mark_time_ = T(-1);                                  // what `rests_leaning` compares with
-  Vec3<T> mark_p_ = Vec3<T>::Zero(), mark_u_ = Vec3<T>::Zero();
+  T last_hop_ = -std::numeric_limits<T>::infinity(), last_side_ = -std::numeric_limits<T>::infinity();  // [s]
 };
 
 }  // namespace goishi::detail

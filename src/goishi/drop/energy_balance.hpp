@@ -3,6 +3,7 @@
 /// Energy as a witness of the contact phase's steps, and as what they are taken back to.
 
 #include <goishi/drop/contact_state.hpp>
+#include <limits>
 
 namespace goishi::detail {
 
@@ -19,8 +20,12 @@ class EnergyBalance {
   /// What a step to y, which `equations` saw last, adds to the balance: 1 is the tolerance of speed².
   template <class Equations>
   [[nodiscard]] T defect(const Equations& equations, const Variables<T>& y) const {
-    const T change = energy_of(equations, y).total + y[at::loss] - energy_ - excess_;
-    return (change < T(0) ? T(-change) : change) / (tolerance_ * scalar::sq(contact_.scales.speed));
+    const Energy now = energy_of(equations, y);
+    const T change = now.total + y[at::loss] - energy_ - excess_;
+    const T potential = now.kinetic - now.total;
+    const T round_off =
+        T(64) * std::numeric_limits<T>::epsilon() * (now.kinetic + (potential < T(0) ? T(-potential) : potential));
+    return (change < T(0) ? T(-change) : change) / (tolerance_ * scalar::sq(contact_.scales.speed) + round_off);
   }
 
   /// Takes the velocities back to what energy and losses allow, all by one factor, and by no more than a step's error.

@@ -83,6 +83,11 @@ struct DropCounters {
   int steps_rejected = 0;  // by the error control
   int steps_located = 0;   // taken again to end at an event
   int edge_impacts = 0;    // micro-impacts of the scheme of lower order
+
+  /// All that is repeated, which `DropSettings::maximum_steps` bounds.
+  [[nodiscard]] constexpr long long work() const {
+    return 0LL + root_steps + separations + steps_accepted + steps_rejected + steps_located + edge_impacts;
+  }
 };
 
 template <class T>

@@ -25,11 +25,17 @@ class FlightPhase {
     if (starts_inside()) {
       return;
     }
+    if (is_left_alone()) {
+      return end(DropStatus::rest);
+    }
     while (true) {
       if (!run_.has_room()) {
         return end(DropStatus::too_many_events);
       }
-      const T left = run_.settings.horizon - run_.time;
+      if (!run_.has_budget()) {
+        return end(DropStatus::too_many_steps);
+      }
+      const T left = run_.left();
       if (!(T(0) < left)) {
         return end(DropStatus::moving);
       }
@@ -81,6 +87,13 @@ class FlightPhase {
     }
   }
 
+  /// Nothing moves, and without gravity nothing will.
+  [[nodiscard]] bool is_left_alone() const {
+    const Vec3<T>& g = run_.settings.gravity;
+    const State<T>& now = run_.state;
+    return !(T(0) < formula::dot(g, g)) && now.v_WB == Vec3<T>::Zero() && now.L_W == Vec3<T>::Zero();
+  }
+
   [[nodiscard]] Pose<T> pose() const { return {run_.state.p_WB, run_.state.q_WB}; }
 
   [[nodiscard]] bool starts_inside() {
@@ -120,11 +133,11 @@ class FlightPhase {
     const Vec3<T> r = contact.p_stone - run_.state.p_WB;
     const T approach = -formula::dot(formula::point_velocity(impact_body(run_), r), contact.n_W);
     if (lasting_here) {
-      if (approach < run_.settings.contact_speed) {
+      if (approach < *run_.settings.contact_speed) {
         push(contact, T(0), EventKind::contact);
         return stay(contact.feature);
       }
-    } else if (approach < run_.settings.edge_speed) {
+    } else if (approach < *run_.settings.edge_speed) {
       switch (hops_.hop(contact, approach)) {
         case EdgeHops<T>::End::none:
           return false;
@@ -142,7 +155,7 @@ class FlightPhase {
       end(DropStatus::moving);
       return true;
     }
-    if (lasting_here && bounces_flat(event) && closing_time() < run_.settings.horizon - run_.time && stays_beside()) {
+    if (lasting_here && bounces_flat(event) && closing_time() < run_.left() && stays_beside()) {
       close_bounces(contact);
       return stay(contact.feature);
     }
@@ -169,10 +182,11 @@ class FlightPhase {
   [[nodiscard]] bool bounces_flat(const Event<T>& event) const {
     const Vec3<T>& g = run_.settings.gravity;
     if (T(0) < scalar::sq(g.x()) + scalar::sq(g.y()) || !(g.z() < T(0)) || !(material_.restitution < T(1)) ||
-        !(run_.state.v_WB.z() < run_.settings.closing_speed)) {
+        !(run_.state.v_WB.z() < *run_.settings.closing_speed)) {
       return false;
     }
-    const T small = T(1e-10);  // moves the end by less than 1e-12 s
+    // Moves the end by less than 1e-10 of what is summed.
+    const T small = detail::at_least(T(1e-10), T(16) * std::numeric_limits<T>::epsilon());
     const Vec3<T> r = event.contact_W - run_.state.p_WB;
     if (small * run_.reach < scalar::sqrt(T(scalar::sq(r.x()) + scalar::sq(r.y())))) {
       return false;
@@ -180,7 +194,7 @@ class FlightPhase {
     const bool ball = !(T(0) < run_.stone.sphere_offset);
     const Vec3<T>& L = run_.state.L_W;
     const T nothing =
-        small * (run_.body.mass * run_.reach * run_.settings.closing_speed + (L.z() < T(0) ? T(-L.z()) : L.z()));
+        small * (run_.body.mass * run_.reach * *run_.settings.closing_speed + (L.z() < T(0) ? T(-L.z()) : L.z()));
     if (!ball && scalar::sq(nothing) < scalar::sq(L.x()) + scalar::sq(L.y())) {
       return false;
     }
@@ -188,7 +202,7 @@ class FlightPhase {
       return true;
     }
     const Vec3<T> v = formula::point_velocity(impact_body(run_), r);
-    return scalar::sqrt(T(scalar::sq(v.x()) + scalar::sq(v.y()))) <= small * run_.settings.closing_speed;
+    return scalar::sqrt(T(scalar::sq(v.x()) + scalar::sq(v.y()))) <= small * *run_.settings.closing_speed;
   }
 
   /// Infinitely many bounces, v, e v, e² v …: 2 v/(g (1 − e)) in all   [s].
@@ -267,30 +281,19 @@ class FlightPhase {
   }
 
   /// The gap is zero and so is its rate, but it opens: flies until it is so wide that its sign is sure. If it does not
-  /// open, the least speed that bounces are followed to opens it.
+  /// open, round-off opens it.
   void lift_off() {
     const State<T> before = run_.state;
     const T sure_time = opening_time(run_);
-    if (!(T(0) < sure_time)) {
-      leave_faster();
-    }
     note(EventKind::lift_off);
     run_.result.events.back().before = before;
-    advance(sure_time);
-  }
-
-  /// Upwards by the least speed, out of the energy of the motion along the plane.
-  void leave_faster() {
-    Vec3<T>& v = run_.state.v_WB;
-    const T square = scalar::sq(v.x()) + scalar::sq(v.y());
-    const T faster = v.z() + run_.settings.contact_speed;
-    const T taken = scalar::sq(faster) - scalar::sq(v.z());
-    if (taken < square) {
-      const T scale = scalar::sqrt(T(T(1) - taken / square));
-      v = {T(scale * v.x()), T(scale * v.y()), faster};
-    } else {
-      v.z() = faster;
+    if (T(0) < sure_time) {
+      advance(sure_time < run_.left() ? sure_time : run_.left());
+      return;
     }
+    Vec3<T>& p = run_.state.p_WB;
+    const T level = run_.level < T(0) ? T(-run_.level) : run_.level;
+    p.z() = p.z() + T(64) * std::numeric_limits<T>::epsilon() * (outer_width(run_.stone) + level);
   }
 
   Run<T>& run_;

@@ -32,16 +32,17 @@ class Gliding {
     jams_ = false;
     Trial<T, variables> trial;
     evaluate(y);
-    if (h * friction_per_slip(y[at::slip], y[at::direction]) * stiffness_ < T(1)) {
+    const bool resists_stiffly = resistance_is_stiff(body_, y, h);
+    if (!resists_stiffly && h * friction_per_slip(y[at::slip], y[at::direction]) * stiffness_ < T(1)) {
       order_ = 5;
       trial = dormand_prince(y, rate, h, *this);
     } else {
       order_ = 4;
-      trial = additive_runge_kutta<T, variables>(y, rate, h, at::slip, possible,
-                                                 [&](Variables<T>& stage, const T& reach, Variables<T>& k) {
-                                                   evaluate(stage);
-                                                   return solve(stage, reach, k);
-                                                 });
+      const Components components = stiff::slip | (resists_stiffly ? stiff::turning : 0U);
+      trial = additive_runge_kutta<T, variables>(
+          y, rate, h, components, possible, [&](Variables<T>& stage, const T& reach, Variables<T>& k) {
+            return resists_stiffly ? solve_stage(stage, reach, k) : solve_slip(stage, reach, k);
+          });
       if (!possible) {
         return {};
       }
@@ -55,6 +56,16 @@ class Gliding {
     return {{feature_guard(body_.stone, feature_, now.u), T(now.need.z() / body_.strength), T(1), T(1), room_, T(1)}};
   }
 
+  /// Angular momentum and slip of an implicit stage, or of an implicit step of Euler's.
+  [[nodiscard]] bool solve_stage(Variables<T>& stage, const T& reach, Variables<T>& k) {
+    return solve_turning(
+        body_, *this, stage, reach, k,
+        [&](Variables<T>& y, Variables<T>& rate) { return solve_slip(y, reach, rate); },
+        [&](const Vec3<T>& brake) {
+          return formula::scaled(T(-brake.z() / (room_ + jam_margin(now.W.zz))), force);
+        });
+  }
+
   /// Whether the last step met Painlevé's case.
   [[nodiscard]] bool jams() const { return jams_; }
 
@@ -65,6 +76,7 @@ class Gliding {
   static constexpr std::array<Guard, guard_count> names = {Guard::feature, Guard::lift_off, Guard::none,
                                                            Guard::none,    Guard::jam,      Guard::support};
 
+  void begin_step() {}
   void carry_from(const Vec3<T>& origin) { origin_ = origin; }
 
   Kinetics<T> now;
@@ -97,7 +109,8 @@ class Gliding {
   }
 
   /// The slip of an implicit stage, s = s' + reach ṡ(s), by Newton. False where that does not converge.
-  [[nodiscard]] bool solve(Variables<T>& stage, const T& reach, Variables<T>& k) {
+  [[nodiscard]] bool solve_slip(Variables<T>& stage, const T& reach, Variables<T>& k) {
+    evaluate(stage);
     const T from_x = stage[at::slip], from_y = stage[at::direction];
     T &s_x = stage[at::slip], &s_y = stage[at::direction];
     s_x = from_x + reach * k[at::slip];

@@ -19,7 +19,10 @@ template <Ordered T>
 class ContactIntegrator {
  public:
   explicit ContactIntegrator(ContactState<T>& contact)
-      : contact_(contact), run_(contact.run), step_(T(1e-2) / contact.scales.frequency) {}
+      : contact_(contact),
+        run_(contact.run),
+        step_(T(1e-2) / contact.scales.frequency),
+        longest_step_(T(100) / contact.scales.frequency) {}
 
   /// Why it ended where `operator()` gives no guard.
   [[nodiscard]] ContactEnd end() const { return end_; }
@@ -29,32 +32,43 @@ class ContactIntegrator {
   [[nodiscard]] Guard operator()(Equations& equations) {
     contact_.y[at::loss] = T(0);
     Variables<T> rate = equations(contact_.y);
+    if (rests(equations, rate)) {
+      return over(equations, ContactEnd::rest);
+    }
+    if (slips() && stops_turning(contact_, equations, run_.settings.tolerance)) {
+      return over(equations, ContactEnd::time, Guard::turning);
+    }
+    if (turning_is_to_begin(equations, rate)) {
+      begin_turning(equations, rate);
+    }
     EnergyBalance<T> balance(contact_, equations, run_.settings.tolerance);
-    std::array<T, guard_count> old = guards_of(equations, contact_.y);
-    const Guard at_once = broken_at_once<Equations>(old);
-    Guard result = at_once;
+    GuardValues old = guards_of(equations, contact_.y);
+    Guard result = broken_at_once<Equations>(old);
     while (result == Guard::none) {
-      if (is_at_rest(contact_, equations, run_.settings.tolerance)) {
-        end_ = ContactEnd::rest;
-        break;
-      }
-      const T left = run_.settings.horizon - run_.time;
+      const T left = run_.left();
       if (!(T(0) < left)) {
-        end_ = ContactEnd::time;
-        break;
-      }
-      if (run_.settings.maximum_steps <= run_.result.counters.steps_accepted) {
-        end_ = ContactEnd::too_many_steps;
-        break;
+        return over(equations, ContactEnd::time);
       }
       T h = left < step_ ? left : step_;
+      h = longest_step_ < h ? longest_step_ : h;
+      equations.begin_step();
+      const T cut = short_of_standstill(equations, rate, h);
+      const bool is_cut = cut < h;
+      h = is_cut ? cut : h;
+      const T usual = step_;
       Trial<T, variables> trial;
       if (!accepted_step(equations, rate, balance, h, trial)) {
-        result = equations.jams() ? Guard::jam : Guard::none;
+        if (!run_.has_budget()) {
+          return over(equations, ContactEnd::too_many_steps);
+        }
         end_ = ContactEnd::stuck;
+        result = equations.jams() ? Guard::jam : Guard::none;
         break;
       }
-      std::array<T, guard_count> now = guards_of(equations, trial.y);
+      if (is_cut && !(h < cut) && step_ < usual) {
+        step_ = usual;
+      }
+      GuardValues now = guards_of(equations, trial.y);
       result = locate(equations, rate, old, now, h, trial);
       ++run_.result.counters.steps_accepted;
       contact_.y = trial.y;
@@ -64,11 +78,20 @@ class ContactIntegrator {
       balance.restore(equations);
       old = now;
       run_.time = run_.time + h;
-      if (result == Guard::none && stops_turning(contact_, equations, run_.settings.tolerance)) {
-        result = Guard::turning;
+      if (result != Guard::none) {
+        break;
       }
-      if (result == Guard::none && slip_vanishes(equations, rate)) {
+      if (rests(equations, rate)) {
+        return over(equations, ContactEnd::rest);
+      }
+      if (slips() && stops_turning(contact_, equations, run_.settings.tolerance)) {
+        result = Guard::turning;
+      } else if (slip_vanishes(equations, rate)) {
         result = Guard::slip;
+      } else if (turning_is_to_begin(equations, rate)) {
+        begin_turning(equations, rate);
+        old = guards_of(equations, contact_.y);
+        result = broken_at_once<Equations>(old);
       }
       if (result == Guard::none && contact_.carried_far()) {
         run_.state.q_WB = contact_.attitude();
@@ -85,11 +108,132 @@ class ContactIntegrator {
  private:
   using GuardValues = std::array<T, guard_count>;
 
-  /// A step that the error control accepts. False where there is none.
+  template <class Equations>
+  [[nodiscard]] Guard over(const Equations& equations, ContactEnd end, Guard guard = Guard::none) {
+    run_.result.counters.contact_evaluations += equations.evaluations;
+    end_ = end;
+    return guard;
+  }
+
+  // --- standing still
+
+  /// Whether the stone comes to rest, before the horizon; then it is there. Resistance brakes what is left of the motion
+  /// as it does now, so that the kinetic energy E falls as a square of the time left: that is 2E/−Ė.
+  template <class Equations>
+  [[nodiscard]] bool rests(const Equations& equations, const Variables<T>& rate) {
+    Variables<T>& y = contact_.y;
+    if (!is_at_rest(contact_, equations, run_.settings.tolerance)) {
+      return false;
+    }
+    const Kinetics<T>& k = equations.now;
+    const Vec3<T>& g = contact_.body.gravity;
+    const T energy = formula::contact_kinetic_energy(k, equations.slip_x(y), equations.slip_y(y));
+    const T taken = rate[at::loss] - (g.x() * rate[at::x] + g.y() * rate[at::y] - g.z() * k.point.z());
+    const T stop = T(0) < energy && T(0) < taken ? T(T(2) * energy / taken) : T(0);
+    if (run_.left() < stop) {
+      return false;
+    }
+    Variables<T> there = y;
+    for (std::size_t i = 0; i < at::loss; ++i) {
+      there[i] = there[i] + stop / T(2) * rate[i];
+    }
+    if (T(0) < stop && !is_held(contact_.body, kinetics(contact_.body, contact_.feature, there).r)) {
+      return false;
+    }
+    y = there;
+    run_.time = run_.time + stop;
+    stand_still();
+    return true;
+  }
+
+  void stand_still() {
+    Variables<T>& y = contact_.y;
+    y[at::L] = y[at::L + 1] = y[at::L + 2] = y[at::slip] = T(0);
+    if (contact_.mode == ContactMode::gliding) {
+      y[at::direction] = T(0);
+    }
+    contact_.normalize();
+  }
+
+  /// Whether a slip has a direction: a dry one that begins has not yet.
+  [[nodiscard]] bool slips() const { return contact_.mode != ContactMode::sliding || T(0) < contact_.y[at::slip]; }
+
+  /// The slowest turning that has a direction   [1/s].
+  [[nodiscard]] T slowest() const {
+    const T share = T(0.01) * run_.settings.tolerance;
+    return (share < T(1e-11) ? T(1e-11) : share) * contact_.scales.frequency;
+  }
+
+  /// Whether resistance has stopped the turning, or a stone that does not turn yet will: which way, the equations do not
+  /// say there, since resistance is against it.
+  template <class Equations>
+  [[nodiscard]] bool turning_is_to_begin(const Equations& equations, const Variables<T>& rate) const {
+    const Kinetics<T>& k = equations.now;
+    return contact_.body.resists && formula::dot(k.w, k.w) <= scalar::sq(slowest()) &&
+           k.w.x() * rate[at::L] + k.w.y() * rate[at::L + 1] + k.w.z() * rate[at::L + 2] <= T(0);
+  }
+
+  /// From no turning at all, by an implicit step so short that nothing else changes: the turning that begins is against
+  /// the resistance that it meets. Where there is none, it is left to the guards what holds then.
+  template <class Equations>
+  void begin_turning(Equations& equations, Variables<T>& rate) {
+    Variables<T>& y = contact_.y;
+    y[at::L] = y[at::L + 1] = y[at::L + 2] = T(0);
+    const T trial = T(1e-6) / contact_.scales.frequency;
+    Variables<T> stage = y;
+    rate = equations(y);
+    ++run_.result.counters.steps_accepted;
+    if (!equations.solve_stage(stage, trial, rate)) {
+      rate = equations(y);
+      return;
+    }
+    // What has begun grows in proportion to time.
+    const Vec3<T> u(y[at::u], y[at::u + 1], y[at::u + 2]);
+    const Vec3<T> w = formula::turning(contact_.body.mobility, u, Vec3<T>(stage[at::L], stage[at::L + 1], stage[at::L + 2]));
+    const T size = scalar::sqrt(formula::dot(w, w)), wanted = T(100) * slowest();
+    const T least = T(0.01) * trial, most = T(1e4) * trial;
+    T h = T(0) < size ? T(wanted / size * trial) : most;
+    h = h < least ? least : most < h ? most : h;
+    h = run_.left() < h ? run_.left() : h;
+    for (std::size_t i = 0; i < Equations::used; ++i) {
+      y[i] = y[i] + h * rate[i];
+    }
+    run_.time = run_.time + h;
+    contact_.normalize();
+    rate = equations(y);
+  }
+
+  /// The step cut to just before the turning ceases, if it does within it: as L goes now, J L · L has a least value that is
+  /// next to nothing. A dry slip is cut in the same way.
+  template <class Equations>
+  [[nodiscard]] T short_of_standstill(const Equations&, const Variables<T>& rate, T h) const {
+    if constexpr (Equations::names[3] == Guard::slip) {
+      const T way = T(-0.8) * contact_.y[at::slip];
+      h = way < T(0) && h * rate[at::slip] < way ? T(way / rate[at::slip]) : h;
+    }
+    if (!contact_.body.resists) {
+      return h;
+    }
+    const Variables<T>& y = contact_.y;
+    const Vec3<T> u(y[at::u], y[at::u + 1], y[at::u + 2]), L(y[at::L], y[at::L + 1], y[at::L + 2]);
+    const Vec3<T> L_rate(rate[at::L], rate[at::L + 1], rate[at::L + 2]);
+    const Vec3<T> w_rate = formula::turning(contact_.body.mobility, u, L_rate);
+    const T falls = -formula::dot(L, w_rate), bends = formula::dot(L_rate, w_rate);
+    if (!(falls < h * bends) || !(T(0) < falls)) {
+      return h;
+    }
+    const T now = formula::dot(L, formula::turning(contact_.body.mobility, u, L));
+    return now - falls * (falls / bends) < T(0.0025) * now ? T(T(0.98) * (falls / bends)) : h;
+  }
+
+  // --- steps
+
+  /// A step that the error control accepts. False where there is none, or no budget for another try.
   template <class Equations>
   [[nodiscard]] bool accepted_step(Equations& equations, const Variables<T>& rate, const EnergyBalance<T>& balance,
                                    T& h, Trial<T, variables>& trial) {
-    while (true) {
+    const T shortest = shortest_step();
+    while (run_.has_budget()) {
       bool possible = true;
       trial = equations.step(contact_.y, rate, h, possible);
       T error(1e30);
@@ -101,16 +245,22 @@ class ContactIntegrator {
       }
       const T factor = step_factor(error, equations.order());
       // The shortest step passes what no error control can: a jump of the equations.
-      if (error <= T(1) || (possible && h < shortest_step)) {
+      if (error <= T(1) || (possible && h < shortest)) {
         step_ = h * factor;
         return true;
       }
       ++run_.result.counters.steps_rejected;
       h = h * factor;
-      if (h < T(1e-16)) {
+      if (h < T(1e-3) * shortest) {
         return false;
       }
     }
+    return false;
+  }
+
+  /// Round-off of the time   [s].
+  [[nodiscard]] T shortest_step() const {
+    return T(16) * std::numeric_limits<T>::epsilon() * (run_.time + T(1000) / contact_.scales.frequency);
   }
 
   /// Whether dry slip is about to end: what is left of it is below a hundredth of a step's error, or lasts no longer than
@@ -120,7 +270,7 @@ class ContactIntegrator {
     if constexpr (Equations::names[3] == Guard::slip) {
       const T sigma = contact_.y[at::slip], braking = -rate[at::slip];
       return T(0) < braking &&
-             (sigma < T(0.01) * run_.settings.tolerance * contact_.scales.speed || sigma < shortest_step * braking);
+             (sigma < T(0.01) * run_.settings.tolerance * contact_.scales.speed || sigma < shortest_step() * braking);
     }
     return false;
   }
@@ -129,7 +279,7 @@ class ContactIntegrator {
   [[nodiscard]] GuardValues guards_of(const Equations& equations, const Variables<T>& y) const {
     GuardValues value = equations.guards().value;
     if (run_.board != nullptr) {
-      value[guard_count - 1] = contact_.support_guard(equations.now, y);
+      value[guard_count - 1] = contact_.support_guard(equations.now, y) / contact_.scales.length;
     }
     return value;
   }
@@ -176,7 +326,7 @@ class ContactIntegrator {
   void find(Equations& equations, const Variables<T>& rate, const GuardValues& old, GuardValues& now, std::size_t which,
             T& h, Trial<T, variables>& trial) {
     constexpr int most_steps = 60;
-    const T small = T(1e-12);
+    const T small = at_least(T(1e-12), T(32) * std::numeric_limits<T>::epsilon());
     T low(0), high = h, low_value = old[which], high_value = now[which];
     // From a change of equations the guard starts at zero: some shorter step is to show it positive first. A slip is zero
     // then without round-off, and however short it lives counts: that time has to pass.
@@ -232,6 +382,8 @@ class ContactIntegrator {
     }
   }
 
+  [[nodiscard]] static T size_of(const T& x) { return x < T(0) ? T(-x) : x; }
+
   /// The greatest error of a variable over what is allowed.
   template <class Equations>
   [[nodiscard]] T error_of(const Equations& equations, const Trial<T, variables>& trial, const T& h) const {
@@ -242,21 +394,25 @@ class ContactIntegrator {
     const T slow = T(1e-3) * usual;
     const T least = contact_.body.resists && momentum2 < scalar::sq(slow) ? slow : usual;
     const T momentum = scalar::sqrt(T(momentum2 + scalar::sq(least)));
+    const auto place = [&](const T& x) {  // no error is below round-off
+      return T(1) / (contact_.scales.length + T(64) * std::numeric_limits<T>::epsilon() / run_.settings.tolerance * size_of(x));
+    };
+    const T& speed = contact_.scales.speed;
     const std::array<T, variables> weight = {T(1),
                                              T(1),
                                              T(1),
-                                             T(T(1) / momentum),
-                                             T(T(1) / momentum),
-                                             T(T(1) / momentum),
-                                             T(T(1) / contact_.scales.length),
-                                             T(T(1) / contact_.scales.length),
+                                             place(trial.y[at::x]),
+                                             place(trial.y[at::y]),
                                              T(1),
-                                             T(T(1) / scalar::sq(contact_.scales.speed)),
-                                             T(T(1) / contact_.scales.speed),
-                                             equations.weight_of_direction(trial.y, contact_.scales.speed, h)};
+                                             T(T(1) / scalar::sq(speed)),
+                                             T(T(1) / momentum),
+                                             T(T(1) / momentum),
+                                             T(T(1) / momentum),
+                                             T(T(1) / speed),
+                                             equations.weight_of_direction(trial.y, speed, h)};
     T worst(0);
     for (std::size_t i = 0; i < Equations::used; ++i) {
-      const T error = weight[i] * (trial.error[i] < T(0) ? T(-trial.error[i]) : trial.error[i]);
+      const T error = weight[i] * size_of(trial.error[i]);
       if (!(error <= worst)) {
         worst = error;
       }
@@ -264,11 +420,10 @@ class ContactIntegrator {
     return worst / run_.settings.tolerance;
   }
 
-  static constexpr T shortest_step = T(1e-13);  // [s] round-off of a time of 100 s
-
   ContactState<T>& contact_;
   Run<T>& run_;
-  T step_;  // [s] to try next
+  T step_;          // [s] to try next
+  T longest_step_;  // [s] where nothing limits it: a step without end would never come to the horizon
   ContactEnd end_ = ContactEnd::time;
 };
 

@@ -18,7 +18,8 @@ struct ContactBody {
   Stone<T> stone;
   Mobility<T> mobility;  // of mass 1
   Vec3<T> gravity;
-  T strength;  // |gravity|, or 1 where there is none: what forces are measured by
+  T strength;  // |gravity|, or where there is none what the first motion makes of it: what forces are measured by
+  T frequency; // [1/s] √(2 strength/w)
   T friction, rolling_resistance, pivot_radius, damping;
   T slip_coefficient;  // slip_proportional
   T contensou;         // 8 a_c/3π
@@ -29,12 +30,15 @@ struct ContactBody {
 
 /// The variables of the contact phase. The height is the support function's; in rolling the slip is zero. The slip is
 /// (σ, φ), size and direction, under dry friction, and (s_x, s_y) under the smooth laws. `loss` is the energy that
-/// friction, resistance and damping have taken.
+/// friction, resistance and damping have taken. What may be stiff stands at the end: the slip by friction, L by resistance.
 inline constexpr std::size_t variables = 12;
 template <class T>
 using Variables = std::array<T, variables>;
 namespace at {
-inline constexpr std::size_t u = 0, L = 3, x = 6, y = 7, spin = 8, loss = 9, slip = 10, direction = 11;
+inline constexpr std::size_t u = 0, x = 3, y = 4, spin = 5, loss = 6, L = 7, slip = 10, direction = 11;
+}
+namespace stiff {  // as bits
+inline constexpr unsigned turning = 7U << at::L, slip = 3U << at::slip, direction = 1U << at::direction;
 }
 
 /// The motion, and the resistance against it.
@@ -44,18 +48,26 @@ struct Kinetics : ContactMotion<T> {
   Vec3<T> brake;   // J τ × r: what that does to the contact point
 };
 
+/// Under the root of the resistance: an angular velocity of 1e-12 frequencies, which has no direction any more.
+template <Ordered T>
+[[nodiscard]] T resistance_floor(const ContactBody<T>& body) {
+  return (scalar::sq(body.rolling_resistance) + scalar::sq(body.pivot_radius)) * scalar::sq(T(T(1e-12) * body.frequency));
+}
+
 /// Torque of resistance, per normal force   [m].
 template <Ordered T>
 [[nodiscard]] Vec3<T> resistance_torque(const ContactBody<T>& body, const Vec3<T>& w) {
-  const T d2 = scalar::sq(body.rolling_resistance), k2 = scalar::sq(body.pivot_radius);
-  return formula::resistance(d2, k2, w, T((d2 + k2) * T(1e-24)));  // (1e-12 rad/s)²: no direction below
+  return formula::resistance(scalar::sq(body.rolling_resistance), scalar::sq(body.pivot_radius), w,
+                             resistance_floor(body));
 }
 
 template <Ordered T>
 [[nodiscard]] Kinetics<T> kinetics(const ContactBody<T>& body, Feature feature, const Variables<T>& y) {
-  // The rates see the axis' direction only, so that its length, which the integration lets drift, is nobody's.
-  const T size = scalar::sqrt(T(scalar::sq(y[at::u]) + scalar::sq(y[at::u + 1]) + scalar::sq(y[at::u + 2])));
-  const Vec3<T> u(T(y[at::u] / size), T(y[at::u + 1] / size), T(y[at::u + 2] / size));
+  // The rates see the axis' direction, so that its length, which the integration lets drift, is nobody's: by 1/√q to the
+  // third order in q − 1, q = |u|², without a root.
+  const T q = scalar::sq(y[at::u]) + scalar::sq(y[at::u + 1]) + scalar::sq(y[at::u + 2]);
+  const T scale = (T(15) - q * (T(10) - T(3) * q)) / T(8);
+  const Vec3<T> u(T(y[at::u] * scale), T(y[at::u + 1] * scale), T(y[at::u + 2] * scale));
   const Vec3<T> L(y[at::L], y[at::L + 1], y[at::L + 2]);
   const T radial_square = scalar::sq(u.x()) + scalar::sq(u.y());
   const ContactGeometry<T> geometry =
@@ -95,13 +107,13 @@ template <Ordered T>
   return {k.u_rate.x(),
           k.u_rate.y(),
           k.u_rate.z(),
-          T(moment.x() + N * k.torque.x() - body.damping * k.L.x()),
-          T(moment.y() + N * k.torque.y() - body.damping * k.L.y()),
-          T(moment.z() + N * k.torque.z() - body.damping * k.L.z()),
           T(s_x - k.point.x()),
           T(s_y - k.point.y()),
           formula::carried_spin_rate(origin, k.u, k.u_rate, k.spin_rate),
           lost,
+          T(moment.x() + N * k.torque.x() - body.damping * k.L.x()),
+          T(moment.y() + N * k.torque.y() - body.damping * k.L.y()),
+          T(moment.z() + N * k.torque.z() - body.damping * k.L.z()),
           T(0),
           T(0)};
 }

@@ -16,7 +16,7 @@ template <Ordered T>
   path.p_W = state.p_WB;
   path.v_W = state.v_WB;
   path.a_W = gravity;
-  path.u_W = formula::symmetry_axis(state.q_WB);
+  path.u_W = formula::symmetry_axis(formula::reunited(state.q_WB));
   const T square = formula::dot(state.L_W, state.L_W);
   // So small that its square has lost digits, it turns nothing.
   if (std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon() < square) {
@@ -58,8 +58,9 @@ template <Ordered T>
 [[nodiscard]] T opening_time(const Run<T>& run) {
   const FlightPath<T> path = path_of(run.state, run.rates, run.settings.gravity);
   const GapAlong<T> gap = gap_along(run.stone, path, Vec3<T>(T(0), T(0), T(1)), run.level);
-  const T sure = T(1e-13) * outer_width(run.stone);
-  for (T t = T(1e-8); t < T(1e-2); t = T(2) * t) {
+  const T sure = T(512) * std::numeric_limits<T>::epsilon() * (outer_width(run.stone) + magnitude_of(run.level));
+  const T unit = T(1) / run.scales.frequency;
+  for (T t = T(2e-7) * unit; t < T(0.25) * unit; t = T(2) * t) {
     const typename GapAlong<T>::Value then = gap(t);
     if (sure < then.gap && T(0) < then.rate) {
       return t;

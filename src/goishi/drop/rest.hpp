@@ -1,53 +1,72 @@
 #pragma once
 /// \file
-/// When a stone in contact rests, and when one that slips has stopped turning.
+/// When a stone in contact comes to rest, and when one that slips stops turning: forces hold it, and what is left of the
+/// motion does not take it anywhere.
 
 #include <goishi/drop/contact_state.hpp>
-#include <goishi/drop/locked.hpp>
+#include <goishi/drop/statics.hpp>
 
 namespace goishi::detail {
 
-/// Whether a stone that slips has stopped turning, and resistance holds it so.
+/// The torque's greatest power against an angular velocity, per normal force and unit of |ω|: √(δ²ω_h² + κ²ω_z²)/|ω|.
+template <Ordered T>
+[[nodiscard]] T resistance_lever(const ContactBody<T>& body, const Vec3<T>& w) {
+  const T w_h2 = scalar::sq(w.x()) + scalar::sq(w.y()), w_z2 = scalar::sq(w.z());
+  const T turning = w_h2 + w_z2;
+  return T(0) < turning
+             ? scalar::sqrt(
+                   T((scalar::sq(body.rolling_resistance) * w_h2 + scalar::sq(body.pivot_radius) * w_z2) / turning))
+             : T(0);
+}
+
+template <Ordered T>
+[[nodiscard]] T greatest_lever(const ContactBody<T>& body) {
+  return body.rolling_resistance < body.pivot_radius ? body.pivot_radius : body.rolling_resistance;
+}
+
+/// Round-off of a kinetic energy that is none   [J/kg].
+template <Ordered T>
+[[nodiscard]] T no_energy(const ContactBody<T>& body) {
+  return T(1e-4) * std::numeric_limits<T>::epsilon() * body.strength * body.stone.width;
+}
+
+/// Whether a stone that slips has stopped turning, and resistance holds it so. The force that then acts has the direction
+/// of the present one, and bears the weight.
 template <Ordered T, class Equations>
 [[nodiscard]] bool stops_turning(const ContactState<T>& contact, const Equations& equations, const T& angle) {
   if constexpr (Equations::used < variables) {
     return false;
   }
   const Kinetics<T>& k = equations.now;
-  const T energy = formula::dot(k.L, k.w) / T(2);
-  const T N = equations.force.z();
-  const T most = contact.body.rolling_resistance < contact.body.pivot_radius ? contact.body.pivot_radius
-                                                                             : contact.body.rolling_resistance;
-  if (N * most * angle < energy) {
+  const T energy = formula::dot(k.L, k.w) / T(2), N = -contact.body.gravity.z();
+  if (!(energy <= N * greatest_lever(contact.body) * angle)) {
     return false;
   }
-  const T share = resistance_share(contact.body, k.r, equations.force, contact.scales.length);
+  const Vec3<T> force = formula::scaled(T(N / equations.force.z()), equations.force);
+  const T share = resistance_share(contact.body, {k.r, {T(0), T(0), T(1)}}, force);
   return share < T(1) && energy <= N * resistance_lever(contact.body, k.w) * (T(1) - share) * angle;
 }
 
-/// At rest: what is left of the kinetic energy is less than resistance takes in turning by `angle` (rad), and gravity
-/// is too weak to turn the stone or make it slip.
+/// At rest: what is left of the kinetic energy is less than resistance takes in turning by `angle` (rad), and statics
+/// holds the stone.
 template <Ordered T, class Equations>
 [[nodiscard]] bool is_at_rest(const ContactState<T>& contact, const Equations& equations, const T& angle) {
   const Kinetics<T>& k = equations.now;
-  const T& delta = contact.body.rolling_resistance;
-  const T& kappa = contact.body.pivot_radius;
-  const T weight = -contact.body.gravity.z();
-  const T nothing = T(1e-20);  // [J/kg] round-off of a stone that nothing moves
-  const T most = weight * (delta < kappa ? kappa : delta) * angle + nothing;
+  const ContactBody<T>& body = contact.body;
+  const T weight = -body.gravity.z(), nothing = no_energy(body);
+  const T most = weight * greatest_lever(body) * angle + nothing;
   if (most < formula::dot(k.L, k.w)) {
     return false;
   }
   const T energy = formula::contact_kinetic_energy(k, equations.slip_x(contact.y), equations.slip_y(contact.y));
-  if (most < energy) {
+  if (most < energy || !is_held(body, k.r)) {
     return false;
   }
-  const T pull = scalar::sqrt(T(scalar::sq(contact.body.gravity.x()) + scalar::sq(contact.body.gravity.y())));
-  if (contact.body.friction * weight < pull) {
-    return false;
+  if (energy <= nothing) {
+    return true;
   }
-  const T share = resistance_share(contact.body, k.r, Vec3<T>(-contact.body.gravity), contact.scales.length);
-  return share < T(1) && energy <= weight * resistance_lever(contact.body, k.w) * (T(1) - share) * angle + nothing;
+  const T share = resistance_share(body, {k.r, {T(0), T(0), T(1)}}, Vec3<T>(-body.gravity));
+  return energy <= weight * resistance_lever(body, k.w) * (T(1) - share) * angle + nothing;
 }
 
 }  // namespace goishi::detail

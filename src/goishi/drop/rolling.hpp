@@ -5,6 +5,7 @@
 #include <array>
 #include <goishi/drop/dormand_prince.hpp>
 #include <goishi/drop/kinetics.hpp>
+#include <goishi/drop/resisting.hpp>
 
 namespace goishi::detail {
 
@@ -43,7 +44,8 @@ class Rolling {
   Rolling(const ContactBody<T>& body, Feature feature, const Vec3<T>& origin)
       : body_(body), feature_(feature), origin_(origin) {}
 
-  [[nodiscard]] static int order() { return 5; }
+  /// Of the pair that the last step was taken with.
+  [[nodiscard]] int order() const { return order_; }
 
   /// The rates at y; what they came from is kept.
   [[nodiscard]] Variables<T> operator()(const Variables<T>& y) {
@@ -58,9 +60,34 @@ class Rolling {
     return rates(body_, now, force, T(0), T(0), origin_);
   }
 
+  /// Dormand–Prince where resistance is not stiff, else the additive pair.
   [[nodiscard]] Trial<T, variables> step(const Variables<T>& y, const Variables<T>& rate, const T& h, bool& possible) {
     possible = true;
-    return dormand_prince(y, rate, h, *this);
+    if (!resistance_is_stiff(body_, y, h)) {
+      order_ = 5;
+      return dormand_prince(y, rate, h, *this);
+    }
+    order_ = 4;
+    Trial<T, variables> trial = additive_runge_kutta<T, variables>(
+        y, rate, h, stiff::turning, possible,
+        [&](Variables<T>& stage, const T& reach, Variables<T>& k) { return solve_stage(stage, reach, k); });
+    if (possible) {
+      trial.rate = (*this)(trial.y);
+    }
+    return trial;
+  }
+
+  /// Of an implicit stage, or of an implicit step of Euler's: from the stage's own L, by `reach`.
+  [[nodiscard]] bool solve_stage(Variables<T>& stage, const T& reach, Variables<T>& k) {
+    return solve_turning(
+        body_, *this, stage, reach, k,
+        [&](Variables<T>& y, Variables<T>& rate) {
+          rate = (*this)(y);
+          return true;
+        },
+        [&](const Vec3<T>& brake) {
+          return formula::scaled(T(-force.z()), formula::rolling_force(now.W, now.brake, brake));
+        });
   }
 
   /// Of the state that was evaluated last. Grip: what is left of the friction cone, per unit of weight. It is gone
@@ -88,6 +115,7 @@ class Rolling {
   static constexpr std::array<Guard, guard_count> names = {Guard::feature, Guard::lift_off, Guard::grip,
                                                            Guard::none,    Guard::none,     Guard::support};
 
+  void begin_step() {}
   void carry_from(const Vec3<T>& origin) { origin_ = origin; }
 
   Kinetics<T> now;
@@ -98,6 +126,7 @@ class Rolling {
   const ContactBody<T>& body_;
   Feature feature_;
   Vec3<T> origin_;
+  int order_ = 5;
 };
 
 }  // namespace goishi::detail

@@ -20,33 +20,42 @@ struct ContactScales {
 };
 
 template <Ordered T>
-[[nodiscard]] ContactScales<T> contact_scales(const Stone<T>& stone, const T& gravity) {
+[[nodiscard]] ContactScales<T> contact_scales(const Stone<T>& stone, const T& strength) {
   const T length = outer_width(stone) / T(2);
-  const T frequency = scalar::sqrt(T(gravity / length));
+  const T frequency = scalar::sqrt(T(strength / length));
   return {.length = length, .frequency = frequency, .speed = T(frequency * length)};
+}
+
+/// What forces are measured by: |gravity|; without any, the acceleration that the first motion has on the stone's scale,
+/// v²/w; where nothing moves either, any will do   [m/s²].
+template <Ordered T>
+[[nodiscard]] T strength_of(const Vec3<T>& gravity, const T& width, const T& speed) {
+  const T g = scalar::sqrt(formula::dot(gravity, gravity));
+  return T(0) < g ? g : T(0) < speed ? T(scalar::sq(speed) / width) : width;
 }
 
 template <Ordered T>
 [[nodiscard]] ContactBody<T> contact_body(const Stone<T>& stone, const Moments<T>& per_mass,
-                                          const DropSettings<T>& settings) {
-  const T g = scalar::sqrt(formula::dot(settings.gravity, settings.gravity));
+                                          const DropSettings<T>& settings, const T& strength) {
+  const T &delta = *settings.rolling_resistance, &kappa = *settings.pivot_radius, &patch_radius = *settings.patch_radius;
   // The law of the patch is Coulomb's where there is no patch; infinite friction lets nothing slip.
-  const bool patch = T(0) < settings.patch_radius && settings.friction < std::numeric_limits<T>::infinity();
+  const bool patch = T(0) < patch_radius && settings.friction < std::numeric_limits<T>::infinity();
   const bool dry = settings.friction_model == FrictionModel::coulomb_contensou && !patch;
-  const T least_roll = settings.pivot_radius / T(100), least_pivot = settings.rolling_resistance / T(100);
+  const T least_roll = kappa / T(100), least_pivot = delta / T(100);
   return {.stone = stone,
           .mobility = formula::mobility(T(1), per_mass),
           .gravity = settings.gravity,
-          .strength = T(0) < g ? g : T(1),
+          .strength = strength,
+          .frequency = contact_scales(stone, strength).frequency,
           .friction = settings.friction,
-          .rolling_resistance = settings.rolling_resistance < least_roll ? least_roll : settings.rolling_resistance,
-          .pivot_radius = settings.pivot_radius < least_pivot ? least_pivot : settings.pivot_radius,
+          .rolling_resistance = delta < least_roll ? least_roll : delta,
+          .pivot_radius = kappa < least_pivot ? least_pivot : kappa,
           .damping = settings.damping,
-          .slip_coefficient = settings.slip_coefficient,
-          .contensou = T(8) * settings.patch_radius / (T(3) * scalar::pi<T>()),
-          .creep_square = scalar::sq(settings.creep_speed),
+          .slip_coefficient = *settings.slip_coefficient,
+          .contensou = T(8) * patch_radius / (T(3) * scalar::pi<T>()),
+          .creep_square = scalar::sq(*settings.creep_speed),
           .model = dry ? FrictionModel::dry : settings.friction_model,
-          .resists = T(0) < settings.rolling_resistance || T(0) < settings.pivot_radius};
+          .resists = T(0) < delta || T(0) < kappa};
 }
 
 /// The scene, the settings, and the state reached.
@@ -55,7 +64,8 @@ struct Run {
   const Stone<T>& stone;
   const RigidBody<T>& body;
   const Board<T>* board;  // or none: the plane z = 0
-  const DropSettings<T>& settings;
+  DropSettings<T> settings;  // filled
+  ContactScales<T> scales;
   TopRates<T> rates;
   Mobility<T> mobility;
   ContactBody<T> contact_body;
@@ -83,6 +93,11 @@ struct Run {
   [[nodiscard]] bool has_room() const {
     return result.events.size() < static_cast<std::size_t>(settings.maximum_events);
   }
+
+  /// Whether the budget of work allows another step, of any kind.
+  [[nodiscard]] bool has_budget() const { return result.counters.work() < settings.maximum_steps; }
+
+  [[nodiscard]] T left() const { return *settings.horizon - time; }
 };
 
 }  // namespace goishi::detail

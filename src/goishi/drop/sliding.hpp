@@ -17,7 +17,7 @@ class Sliding {
   static constexpr bool slip_is_vector = false;
 
   Sliding(const ContactBody<T>& body, Feature feature, const Vec3<T>& origin)
-      : body_(body), feature_(feature), origin_(origin), stiffness_(body.friction * stiffness_of(body)) {}
+      : body_(body), feature_(feature), origin_(origin) {}
 
   /// Of the pair that the last step was taken with.
   [[nodiscard]] int order() const { return order_; }
@@ -28,7 +28,7 @@ class Sliding {
     direct(y[at::direction]);
     Variables<T> rate = all_rates(y);
     const T sigma = y[at::slip];
-    rate[at::direction] = T(1e-14) < sigma ? T(slip_.across / sigma) : T(0);
+    rate[at::direction] = least_slip(T(1e-14)) < sigma ? T(slip_.across / sigma) : T(0);
     return rate;
   }
 
@@ -37,7 +37,8 @@ class Sliding {
   [[nodiscard]] Trial<T, variables> step(const Variables<T>& y, const Variables<T>& rate, const T& h, bool& possible) {
     jams_ = false;
     const T sigma = y[at::slip];
-    if (h * stiffness_ < sigma && -(T(2) * h * rate[at::slip]) < sigma) {
+    resists_stiffly_ = resistance_is_stiff(body_, y, h);
+    if (!resists_stiffly_ && -(h * slope_) < sigma && -(T(2) * h * rate[at::slip]) < sigma) {
       order_ = 5;
       const Trial<T, variables> trial = dormand_prince(y, rate, h, *this);
       possible = !jams_;
@@ -46,21 +47,33 @@ class Sliding {
     order_ = 4;
     return additive_step(y, rate, h, possible);
   }
+
+  /// From the state that was evaluated last.
+  void begin_step() { slope_ = slip_.across_slope; }
+
   [[nodiscard]] Guards<T> guards() const {
-    return {{feature_guard(body_.stone, feature_, now.u), T(now.need.z() / body_.strength), T(1), sigma_,
+    return {{feature_guard(body_.stone, feature_, now.u), T(now.need.z() / body_.strength), T(1), T(sigma_ * body_.frequency / body_.strength),
              T(slip_.denominator - jam_margin(now.W.zz)), T(1)}};
   }
 
   /// Whether the last step met Painlevé's case.
   [[nodiscard]] bool jams() const { return jams_; }
 
+  /// Angular momentum and direction of an implicit stage, or of an implicit step of Euler's.
+  [[nodiscard]] bool solve_stage(Variables<T>& stage, const T& reach, Variables<T>& k) {
+    return solve_turning(
+        body_, *this, stage, reach, k,
+        [&](Variables<T>& y, Variables<T>& rate) { return solve_direction(y, reach, rate); },
+        [&](const Vec3<T>& brake) { return formula::scaled(T(-brake.z() / slip_.denominator), force); });
+  }
+
   /// An error of the direction counts by what it does: to the slip, and over the step through the force.
   [[nodiscard]] T weight_of_direction(const Variables<T>& y, const T& speed, const T& h) const {
     const T reach = y[at::slip] + body_.friction * body_.strength * h;
     return reach / speed;
   }
-  [[nodiscard]] T slip_x(const Variables<T>& y) const { return y[at::slip] * scalar::cos(y[at::direction]); }
-  [[nodiscard]] T slip_y(const Variables<T>& y) const { return y[at::slip] * scalar::sin(y[at::direction]); }
+  [[nodiscard]] T slip_x(const Variables<T>& y) const { return y[at::slip] * (seen(y) ? c_ : scalar::cos(y[at::direction])); }
+  [[nodiscard]] T slip_y(const Variables<T>& y) const { return y[at::slip] * (seen(y) ? s_ : scalar::sin(y[at::direction])); }
 
   static constexpr std::array<Guard, guard_count> names = {Guard::feature, Guard::lift_off, Guard::none,
                                                            Guard::slip,    Guard::jam,      Guard::support};
@@ -74,29 +87,41 @@ class Sliding {
  private:
   [[nodiscard]] Trial<T, variables> additive_step(const Variables<T>& y, const Variables<T>& rate, const T& h,
                                                   bool& possible) {
-    const auto solve_stage = [&](Variables<T>& stage, const T& reach, Variables<T>& k) {
-      evaluate(stage);
-      T turn = k[at::direction];
-      if (!solve(stage[at::slip], stage[at::direction], reach, turn)) {
-        return false;
-      }
-      stage[at::direction] = stage[at::direction] + reach * turn;
-      k = all_rates(stage);
-      k[at::direction] = turn;
-      return true;
-    };
-    Trial<T, variables> trial = additive_runge_kutta<T, variables>(y, rate, h, at::direction, possible, solve_stage);
+    const Components components = stiff::direction | (resists_stiffly_ ? stiff::turning : 0U);
+    Trial<T, variables> trial = additive_runge_kutta<T, variables>(
+        y, rate, h, components, possible, [&](Variables<T>& stage, const T& reach, Variables<T>& k) {
+          return resists_stiffly_ ? solve_stage(stage, reach, k) : solve_direction(stage, reach, k);
+        });
     if (!possible) {
       return {};
     }
     const T turn = trial.rate[at::direction];
     trial.rate = (*this)(trial.y);
     possible = !jams_;
-    if (!(T(1e-6) < trial.y[at::slip])) {
+    if (!(least_slip(T(1e-6)) < trial.y[at::slip])) {
       trial.rate[at::direction] = turn;
     }
     return trial;
   }
+
+  /// A share of the speed that the stone's own scales have   [m/s].
+  [[nodiscard]] T least_slip(const T& share) const { return share * body_.strength / body_.frequency; }
+
+  /// The direction of an implicit stage.
+  [[nodiscard]] bool solve_direction(Variables<T>& stage, const T& reach, Variables<T>& k) {
+    evaluate(stage);
+    T turn = k[at::direction];
+    if (!solve(stage[at::slip], stage[at::direction], reach, turn)) {
+      return false;
+    }
+    stage[at::direction] = stage[at::direction] + reach * turn;
+    k = all_rates(stage);
+    k[at::direction] = turn;
+    return true;
+  }
+
+  /// Whether cosine and sine of the direction are at hand.
+  [[nodiscard]] bool seen(const Variables<T>& y) const { return !(y[at::direction] < phi_) && !(phi_ < y[at::direction]); }
 
   void evaluate(const Variables<T>& y) {
     ++evaluations;
@@ -105,6 +130,7 @@ class Sliding {
   }
 
   void direct(const T& phi) {
+    phi_ = phi;
     c_ = scalar::cos(phi);
     s_ = scalar::sin(phi);
     slip_ = formula::slip_rate(now.W, now.brake, now.need, body_.friction, c_, s_);
@@ -151,9 +177,9 @@ class Sliding {
   Feature feature_;
   Vec3<T> origin_;
   SlipRate<T> slip_ = {};
-  T c_ = T(1), s_ = T(0), sigma_ = T(0);
-  bool jams_ = false;
-  T stiffness_;  // least slip over step that is not stiff [m/s²]
+  T c_ = T(1), s_ = T(0), phi_ = T(0), sigma_ = T(0);
+  bool jams_ = false, resists_stiffly_ = false;
+  T slope_ = T(0);  // [m/s²] of σ φ̇ by φ where the step begins
   int order_ = 4;
 };
 

@@ -212,8 +212,8 @@ void add_closing(const Scene& scene, const Effort& effort, std::vector<Skip>& sk
   for (const DropSettings<double>* settings : {&summed, &at_once}) {
     skips.push_back(skip_of(
         "flat drop to rest",
-        fmt::format("summed from {} m/s on: {} impacts", plain_number(settings->closing_speed), bounces(*settings)),
-        fmt::format("followed to {} m/s: {} impacts", plain_number(followed.contact_speed), bounces(followed)),
+        fmt::format("summed from {} m/s on: {} impacts", plain_number(*filled(*settings, scene.stone).closing_speed), bounces(*settings)),
+        fmt::format("followed to {} m/s: {} impacts", plain_number(*filled(followed, scene.stone).contact_speed), bounces(followed)),
         by_turns(loop(*settings), loop(followed), effort), 1));
   }
 }
