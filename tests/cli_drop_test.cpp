@@ -4,7 +4,6 @@
 #include <functional>
 #include <goishi/drop/drop.hpp>
 #include <goishi/mass/inertia.hpp>
-#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -142,11 +141,6 @@ TEST_F(CliDrop, EventsAreConsistent) {
 
 // --- every option reaches the library
 
-Words split(const std::string& text) {
-  std::istringstream words(text);
-  return Words{std::istream_iterator<std::string>(words), {}};
-}
-
 struct Case {
   std::string words;
   std::function<void(DropSettings<double>&)> set;
@@ -200,7 +194,7 @@ TEST_F(CliDrop, AgreesWithTheLibrary) {
       one.set(settings);
       const Drop<double> expected =
           on_board ? drop(stone, body, start, make_board<double>(), settings) : drop(stone, body, start, settings);
-      const Words words = split(
+      const Words words = words_of(
           "--bevel 1mm --mass 5g --from 2cm --position 0.1,-0.2 --tilt 25 --tilt-axis 0,3,4 --velocity 0.1,-0.05,-0.3 "
           "--spin 4,-3,20 --on " +
           std::string(on_board ? "board " : "plane ") + (settings.maximum_impacts == 3 ? "" : "--until 250ms ") +

@@ -22,16 +22,10 @@ constexpr std::size_t z = 3, q_w = 4, v_z = 10, height = 14, tilt = 15, energy =
 class CliDrop : public Cli {
  protected:
   /// A good command with more words.
-  static Words with(const Words& more) {
-    Words words = {"drop", "--size", "33"};
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
-  }
+  static Words with(const Words& more) { return Words{"drop", "--size", "33"} + more; }
 
   [[nodiscard]] rapidjson::Document json(const Words& more) const {
-    Words words = with(more);
-    words.insert(words.end(), {"--format", "json"});
-    return parsed(printed(words));
+    return parsed(printed(with(more) + Words{"--format", "json"}));
   }
 
   static rapidjson::Document parsed(const std::string& text) {

@@ -345,19 +345,44 @@ TEST_F(CliTable, HeaderSaysHowItWasMade) {
 
 // --- help
 
-TEST_F(Cli, HelpIsEverywhere) {
-  for (const Words& words : {Words{"--help"}, {"table", "--help"}, {"inertia", "--help"}, {"-h"}}) {
-    const std::string help = printed(words);
-    EXPECT_NE(help.find("Examples:\n  goishi "), std::string::npos) << help;
-  }
-  const std::string table = printed({"table", "--help"});
-  for (const auto* option : {"--color", "--bevel", "--density", "--units", "--format", "--output", "--check"}) {
-    EXPECT_NE(table.find(option), std::string::npos) << option;
-  }
-  const std::string inertia = printed({"inertia", "--help"});
-  for (const auto* option :
-       {"--size", "--color", "--width", "--height", "--bevel", "--measured", "--mass", "--density", "--format"}) {
-    EXPECT_NE(inertia.find(option), std::string::npos) << option;
+TEST_F(Cli, HelpNamesEveryOptionAndItsExamplesRun) {
+  const std::pair<std::string, std::string> commands[] = {
+      {"table", "--color --bevel --density --units --format --output --check"},
+      {"inertia", "--size --color --width --height --bevel --measured --mass --density --format"},
+      {"spin",
+       "--size --color --bevel --mass --density --axial --transverse --spin --attitude --time --method --step --format "
+       "--series"},
+      {"contact",
+       "--size --color --width --height --bevel --position --attitude --against --other-position --other-attitude "
+       "--lines --velocity --spin --gravity --horizon --format"},
+      {"drop",
+       "--size --color --width --height --bevel --mass --density --from --position --tilt --tilt-axis --velocity "
+       "--spin "
+       "--on --restitution --friction --friction-model --slip-coefficient --patch-radius --rolling-resistance "
+       "--pivot-radius --gravity --law --until --tolerance --format --series --csv"}};
+  const std::string all = printed({"--help"});
+  EXPECT_EQ(printed({"-h"}), all);
+  for (const auto& [command, options] : commands) {
+    EXPECT_NE(all.find("\n  " + command + " "), std::string::npos);
+    EXPECT_NE(all.find("\n  goishi " + command), std::string::npos);
+    const std::string help = printed({command, "--help"});
+    for (const std::string& option : words_of(options)) {
+      EXPECT_NE(help.find("\n  " + option + " "), std::string::npos) << option;
+    }
+    for (const auto* part : {"\nA number is decimal, with a point: ", "\n  lengths ", "\nExit status: 0 done, "}) {
+      EXPECT_NE(help.find(part), std::string::npos) << command << part;
+    }
+    int examples = 0;
+    for (const std::string& line : split(help, '\n')) {
+      if (line.starts_with("  goishi " + command) && line.find(" --check ") == std::string::npos) {
+        const Words words = words_of(line.substr(std::string("  goishi ").size()));
+        const Result result = run(words, "cd '" + work().string() + "' && ");
+        EXPECT_EQ(result.status, 0) << line << result.err;
+        EXPECT_EQ(result.err, "") << line;
+        ++examples;
+      }
+    }
+    EXPECT_GE(examples, 3) << command;
   }
   EXPECT_TRUE(std::regex_match(printed({"--version"}), std::regex("goishi \\d+\\.\\d+\\.\\d+ .*\n")));
 }

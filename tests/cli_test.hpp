@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -34,6 +35,18 @@ inline void put(const fs::path& file, const std::string& text) {
 }
 
 using Words = std::vector<std::string>;
+
+/// The words of a text, between blanks.
+inline Words words_of(const std::string& text) {
+  std::istringstream words(text);
+  return {std::istream_iterator<std::string>(words), {}};
+}
+
+/// The words and then more of them.
+inline Words operator+(Words words, const Words& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
 
 /// A folder of its own for each test.
 class Cli : public testing::Test {

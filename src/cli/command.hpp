@@ -5,18 +5,30 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <goishi/shape/catalogue.hpp>
 #include <string>
+#include <vector>
 
 #include "quantity.hpp"
 
 namespace goishi::cli {
 
-inline std::string units_note() {
-  return fmt::format(
-      "A number may carry a unit: 22mm, \"2.2 cm\". Without one it is in the first of\n"
-      "  lengths    {}\n  densities  {}\n  masses     {}\n  times      {}\n",
-      length_units, density_units, mass_units, time_units);
+/// How the numbers of a command, which measure these things, are typed.
+inline std::string numbers_note(const std::vector<Measure>& measures) {
+  std::string text =
+      "A number is decimal, with a point: 22, 022, -2.2, +.5, 5. or 1e-3; one that must be whole may\n"
+      "be typed 5, 5.0 or 50e-1. Blanks around it do not count. It may have a unit, 22mm or \"2.2 cm\",\n"
+      "in a vector each its own, 216mm,10mm,0. Without one it is in the first of these (µ, ² and ³\n"
+      "may be typed u, 2 or ^2, 3 or ^3):\n";
+  std::size_t longest = 0;
+  for (const Measure& measure : measures) {
+    longest = std::max(longest, measure.plural.size());
+  }
+  for (const Measure& measure : measures) {
+    text += fmt::format("  {:<{}}  {}\n", measure.plural, longest, names_of(measure));
+  }
+  return text;
 }
 
 inline std::string assumed_densities() {

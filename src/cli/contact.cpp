@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <goishi/error.hpp>
 #include <goishi/mass/inertia.hpp>
 #include <goishi/motion/invariants.hpp>
 #include <goishi/motion/state.hpp>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -72,21 +72,9 @@ void check_combination(const ContactOptions& options, Against against) {
 }
 
 Pose<Number> parse_pose(const char* position, const std::string& position_text, const char* attitude,
-                        const std::optional<std::string>& attitude_text) {
-  return {.p_WB = parse_vector(position, position_text),
-          .q_WB = attitude_text ? parse_attitude(attitude, *attitude_text) : Quat<Number>(1, 0, 0, 0)};
-}
-
-int parse_lines(const std::optional<std::string>& text) {
-  if (!text) {
-    return BoardDimensions<double>{}.lines;
-  }
-  int lines = 0;
-  const auto result = std::from_chars(text->data(), text->data() + text->size(), lines);
-  if (text->empty() || result.ec != std::errc() || result.ptr != text->data() + text->size() || lines < 1) {
-    throw InvalidArgument("lines", *text, "must be a whole number, at least 1");
-  }
-  return lines;
+                        const std::optional<std::string>& attitude_text, std::vector<std::string>& notes) {
+  return {.p_WB = parse_vector(position, position_text, measure::length),
+          .q_WB = attitude_text ? parse_attitude(attitude, *attitude_text, notes) : Quat<Number>(1, 0, 0, 0)};
 }
 
 ContactQuestion question_of(const ContactOptions& options) {
@@ -95,20 +83,23 @@ ContactQuestion question_of(const ContactOptions& options) {
   check_combination(options, question.against);
   question.subject = subject_of(options.stone);
   question.stone = stone_of(question.subject);
-  question.pose = parse_pose("position", *options.position, "attitude", options.attitude);
-  question.lines = parse_lines(options.lines);
+  question.pose = parse_pose("position", *options.position, "attitude", options.attitude, question.notes);
+  question.lines = options.lines ? parse_whole("lines", *options.lines, 1, std::numeric_limits<int>::max())
+                                 : BoardDimensions<double>{}.lines;
   if (question.against == Against::stone) {
-    question.other = parse_pose("other-position", *options.other_position, "other-attitude", options.other_attitude);
+    question.other =
+        parse_pose("other-position", *options.other_position, "other-attitude", options.other_attitude, question.notes);
   }
   if (options.horizon) {
     const Vec3<Number> nothing(0, 0, 0);
-    question.v_WB = options.velocity ? parse_vector("velocity", *options.velocity) : nothing;
-    const Vec3<Number> w_WB_B = options.spin ? parse_vector("spin", *options.spin) : nothing;
+    question.v_WB = options.velocity ? parse_vector("velocity", *options.velocity, measure::velocity) : nothing;
+    question.w_WB_B = options.spin ? parse_vector("spin", *options.spin, measure::spin) : nothing;
     const RigidBody<Number> body = make_rigid_body(mass_properties(question.stone, Density{Number(1)}));
-    question.L_W = formula::angular_momentum_W(question.pose.q_WB, body, w_WB_B);
+    question.L_W = formula::angular_momentum_W(question.pose.q_WB, body, question.w_WB_B);
     question.transverse_moment = body.moments.x();
-    question.gravity = options.gravity ? parse_bare("gravity", *options.gravity, "m/s²") : standard_gravity<Number>();
-    question.horizon = parse_time("horizon", *options.horizon);
+    question.gravity =
+        options.gravity ? parse("gravity", *options.gravity, measure::acceleration) : standard_gravity<Number>();
+    question.horizon = parse("horizon", *options.horizon, measure::time);
     require_positive("horizon", *question.horizon);
   }
   return question;
@@ -158,9 +149,7 @@ std::string to_json(const ContactAnswer& answer) {
 }
 
 std::string title_of(const ContactQuestion& question) {
-  const Subject& subject = question.subject;
-  const std::string stone =
-      subject.title + (subject.bevel == 0 ? ", sharp" : fmt::format(", bevel {} m", six_digits(subject.bevel)));
+  const std::string stone = described(question.subject);
   switch (question.against) {
     case Against::board:
       return fmt::format("{}, against the board with {} {}", stone, question.lines,
@@ -216,6 +205,7 @@ std::string to_block(const ContactQuestion& question, const ContactAnswer& answe
 int run_contact(const ContactOptions& options) {
   const ContactQuestion question = question_of(options);
   const ContactAnswer answer = answer_to(question);
+  report_notes(question.notes);
   write_standard_output(options.format == "json" ? to_json(answer) : to_block(question, answer));
   if (answer.contact.status == SeparationStatus::not_converged) {
     report("error: the search for the normal did not converge; the gap printed is a lower bound");

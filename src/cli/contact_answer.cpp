@@ -49,7 +49,7 @@ Separation<Number> settled(Separation<Number> contact, const ContactQuestion& qu
 }
 
 double in_flight(const char* argument, const Number& value) {
-  return to_double(argument, value, "the time of impact");
+  return to_double(argument, value, "the time of impact", flight_order);
 }
 
 Vec3<double> in_flight(const char* argument, const Vec3<Number>& v) {
@@ -62,14 +62,15 @@ TimeOfImpact<double> impact_of(const ContactQuestion& question) {
   const Vec3<Number> k_W = momentum == 0 ? still : Vec3<Number>(question.L_W / momentum);
   (void)in_flight("width", question.stone.width);
   (void)in_flight("height", question.stone.height);
-  (void)in_flight("sphere radius", question.stone.sphere_radius);
+  (void)in_flight("bevel", question.stone.bevel);
+  (void)in_flight("spin", question.w_WB_B);
   const Stone<double> stone = stone_cast<double>(question.stone);
   const FlightPath<double> path{.p_W = in_flight("position", question.pose.p_WB),
                                 .v_W = in_flight("velocity", question.v_WB),
                                 .a_W = gravity_W(in_flight("gravity", question.gravity)),
                                 .u_W = formula::symmetry_axis(question.pose.q_WB).cast<double>(),
                                 .k_W = k_W.cast<double>(),
-                                .rate = in_flight("spin", Number(momentum / question.transverse_moment))};
+                                .rate = Number(momentum / question.transverse_moment).convert_to<double>()};
   const double horizon = in_flight("horizon", *question.horizon);
   switch (question.against) {
     case Against::board:

@@ -8,7 +8,9 @@
 #include <goishi/contact/time_of_impact.hpp>
 #pragma GCC diagnostic pop
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "subject.hpp"
 
@@ -22,13 +24,15 @@ struct ContactQuestion {
   Stone<Number> stone;
   Pose<Number> pose;
   Against against = Against::board;
-  int lines = 0;             // of the board
-  Pose<Number> other;        // of the other stone
-  Vec3<Number> v_WB;         // if a horizon was given, these, too
+  int lines = 0;       // of the board
+  Pose<Number> other;  // of the other stone
+  Vec3<Number> v_WB;   // if a horizon was given, these, too
+  Vec3<Number> w_WB_B;
   Vec3<Number> L_W;          // per unit of density
   Number transverse_moment;  // likewise
   Number gravity;
   std::optional<Number> horizon;
+  std::vector<std::string> notes;  // for people, on what was typed
 };
 
 struct ContactAnswer {
@@ -41,7 +45,10 @@ struct ContactAnswer {
 /// the gap 0.
 inline constexpr std::string_view least_length = "1e-28";
 
-/// InvalidArgument for a flight whose numbers are beyond the range of a double.
+/// The numbers of a flight other than 0 have magnitudes from 1e-20 to 1e20 in SI units (`to_double`).
+inline constexpr int flight_order = 20;
+
+/// InvalidArgument for a flight whose numbers are beyond those that a double computes with.
 [[nodiscard]] ContactAnswer answer_to(const ContactQuestion& question);
 
 }  // namespace goishi::cli

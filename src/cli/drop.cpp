@@ -1,28 +1,15 @@
 #include "drop.hpp"
 
-#include <fmt/format.h>
-
-#include <charconv>
-#include <goishi/error.hpp>
-
 #include "drop_motion.hpp"
 #include "drop_scene.hpp"
 #include "drop_text.hpp"
 #include "file.hpp"
+#include "quantity.hpp"
 #include "report.hpp"
 
 namespace goishi::cli {
 
 namespace {
-
-int parse_rows(const std::string& text) {
-  int rows = 0;
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), rows);
-  if (result.ec != std::errc() || result.ptr != text.data() + text.size() || rows < 2 || most_drop_rows < rows) {
-    throw InvalidArgument("series", text, fmt::format("must be a whole number from 2 to {}", most_drop_rows));
-  }
-  return rows;
-}
 
 int exit_status(DropStatus status) {
   switch (status) {
@@ -45,7 +32,7 @@ int exit_status(DropStatus status) {
 
 int run_drop(const DropOptions& options) {
   const DropScene scene = scene_of(options);
-  const int rows = options.series ? parse_rows(*options.series) : 0;
+  const int rows = options.series ? parse_whole("series", *options.series, 2, most_drop_rows) : 0;
   const Drop<double> drop = drop_of(scene);
   if (0 < rows) {
     write_file("csv", *options.csv, to_csv(series_of(scene, drop, rows)));

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// `goishi drop`: one stone from any state to rest on the board, event by event.
+/// `goishi drop`: one stone from any state to rest, event by event.
 
 #include <optional>
 #include <string>

@@ -17,8 +17,8 @@ constexpr const char* drop_notes = R"(
 Everything is in the world frame but the spin: the playing surface is z = 0, its middle the
 origin. Tilt is the angle of the stone's symmetry axis from the vertical: 180 degrees when it
 has turned over. The energy counts heights from the surface. What is printed with an event
-is so after it. Computed in double; every number given must be 0 or from 1e-20 to 1e20 in
-SI units.
+is so after it. Computed in double; every number given but the tilt and its axis must be 0
+or from 1e-20 to 1e20 in SI units.
 JSON: SI units; an event has impulse, contact_point, normal, feature (of the stone), touched
 and touched_feature where there are such, and velocity_before, spin_body_before where they
 change; final has the state at the end, its status and what it cost. lower_order: a contact
@@ -49,11 +49,11 @@ void add_scene(CLI::App& drop, DropOptions& options) {
   add_value(drop, options.stone.mass, "--mass", "MASS", "Mass of the stone, instead of a density");
   add_value(drop, options.stone.density, "--density", "DENSITY", "Density of the stone\n" + assumed_densities());
   add_value(drop, options.from, "--from", "LENGTH", "Height of the centre of mass above the surface");
-  add_value(drop, options.position, "--position", "X,Y", "Where over the surface it starts, in m [default: 0,0]");
-  add_value(drop, options.tilt, "--tilt", "DEGREES", "How far the stone is turned from lying flat [default: 0]");
+  add_value(drop, options.position, "--position", "X,Y", "Where over the surface it starts [default: 0,0]");
+  add_value(drop, options.tilt, "--tilt", "ANGLE", "How far the stone is turned from lying flat [default: 0]");
   add_value(drop, options.tilt_axis, "--tilt-axis", "X,Y,Z", "What it is turned about [default: 0,1,0]");
-  add_value(drop, options.velocity, "--velocity", "X,Y,Z", "Velocity of the centre, in m/s [default: 0,0,0]");
-  add_value(drop, options.spin, "--spin", "X,Y,Z", "Angular velocity, in the body frame, in rad/s [default: 0,0,0]");
+  add_value(drop, options.velocity, "--velocity", "X,Y,Z", "Velocity of the centre [default: 0,0,0]");
+  add_value(drop, options.spin, "--spin", "X,Y,Z", "Angular velocity, in the body frame [default: 0,0,0]");
   add_value(drop, options.on, "--on", "WHAT",
             "board: the 19-line one, off which a stone may fall to the floor;\n"
             "plane: z = 0 without end [default: board]");
@@ -68,7 +68,7 @@ void add_settings(CLI::App& drop, DropOptions& options) {
             "Friction of a contact that lasts: dry, slip-proportional or coulomb-contensou,\n"
             "under which two a stone may creep on without end [default: dry]");
   add_value(drop, options.slip_coefficient, "--slip-coefficient", "C",
-            "Of slip-proportional, in s/m [default: 1/(2 √(w g)), 1.08 for size 33]");
+            "Of slip-proportional [default: 1/(2 √(w g)), 1.08 s/m for size 33]");
   add_value(drop, options.patch_radius, "--patch-radius", "LENGTH",
             "Of coulomb-contensou [default: w/220, 0.1 mm for size 33]");
   add_value(drop, options.rolling_resistance, "--rolling-resistance", "LENGTH",
@@ -76,7 +76,7 @@ void add_settings(CLI::App& drop, DropOptions& options) {
   add_value(drop, options.pivot_radius, "--pivot-radius", "LENGTH",
             "Times the normal force, the torque against turning on the spot\n[default: w/440, 0.05 mm for size 33]");
   add_value(drop, options.gravity, "--gravity", "G",
-            "In m/s²: downwards, or a vector x,y,z" + value(-settings.gravity.z()));
+            fmt::format("Downwards, or a vector x,y,z [default: {:.6g} m/s²]", -settings.gravity.z()));
   add_value(drop, options.law, "--law", "LAW",
             "Law of impacts: chatterjee-ruina, published or stronge\n[default: chatterjee-ruina]");
   add_value(drop, options.until, "--until", "WHEN",
@@ -98,7 +98,9 @@ void add_drop(CLI::App& app, DropOptions& options) {
       drop, options.series, "--series", "N",
       fmt::format("Also write N rows of CSV, evenly in time, to the file of --csv;\nN from 2 to {}", most_drop_rows));
   add_value(drop, options.csv, "--csv", "FILE", "Where to, all or nothing");
-  drop.footer(units_note() + drop_notes);
+  drop.footer(numbers_note({measure::length, measure::velocity, measure::acceleration, measure::spin, measure::angle,
+                            measure::density, measure::mass, measure::time, measure::slip_coefficient}) +
+              drop_notes);
 }
 
 }  // namespace goishi::cli

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <goishi/error.hpp>
 #include <goishi/mass/inertia.hpp>
 #include <limits>
@@ -18,35 +17,20 @@ namespace {
 
 using Text = std::optional<std::string>;
 
-double in_drop(const char* argument, const Number& value, std::string_view unit) {
-  const Number size = abs(value);
-  require(value == 0 || (Number(1 / largest_magnitude) <= size && size <= Number(largest_magnitude)), argument, value,
-          "must be 0 or from 1e-20 to 1e20", unit.empty() ? "" : " ", unit, ", in magnitude");
-  return value.convert_to<double>();
+double in_drop(const char* argument, const Number& value) {
+  return to_double(argument, value, "a drop", drop_order);
 }
 
-Vec3<double> in_drop(const char* argument, const Vec3<Number>& v, std::string_view unit) {
-  return {in_drop(argument, v.x(), unit), in_drop(argument, v.y(), unit), in_drop(argument, v.z(), unit)};
+Vec3<double> in_drop(const char* argument, const Vec3<Number>& v) {
+  return {in_drop(argument, v.x()), in_drop(argument, v.y()), in_drop(argument, v.z())};
 }
 
-void set_length(const char* argument, const Text& text, std::optional<double>& length) {
+/// Sets what was typed.
+template <class Setting>
+void set(Setting& setting, const char* argument, const Text& text, const Measure& measure) {
   if (text) {
-    length = in_drop(argument, parse_length(argument, *text), "m");
+    setting = in_drop(argument, parse(argument, *text, measure));
   }
-}
-
-/// A number without a unit.
-double ratio_or(const char* argument, const Text& text, double otherwise) {
-  if (!text) {
-    return otherwise;
-  }
-  std::vector<Number> numbers;
-  try {
-    numbers = parse_list(argument, *text, 1);
-  } catch (const InvalidArgument&) {
-    throw InvalidArgument(argument, *text, "must be a decimal number");
-  }
-  return in_drop(argument, numbers.front(), "");
 }
 
 /// The value whose name was typed; the first when none was.
@@ -76,46 +60,35 @@ FrictionModel parse_friction_model(const Text& text) {
   return named("friction-model", text, models, [](FrictionModel model) { return to_string(model); });
 }
 
-/// 0 <= μ; "inf" lets nothing slip.
-double parse_friction(const Text& text, double otherwise) {
-  return text == "inf" ? std::numeric_limits<double>::infinity() : ratio_or("friction", text, otherwise);
-}
-
 Vec3<double> parse_gravity(const Text& text) {
   if (!text) {
     return gravity_W<double>();
   }
-  const bool vector = text->find(',') != std::string::npos;
-  std::vector<Number> g;
-  try {
-    g = parse_list("gravity", *text, vector ? 3 : 1);
-  } catch (const InvalidArgument&) {
-    throw InvalidArgument("gravity", *text, "must be a decimal number, downwards, or x,y,z, in m/s²");
-  }
-  return vector ? in_drop("gravity", Vec3<Number>(g[0], g[1], g[2]), "m/s²")
-                : gravity_W(in_drop("gravity", g.front(), "m/s²"));
+  return text->find(',') == std::string::npos
+             ? gravity_W(in_drop("gravity", parse("gravity", *text, measure::acceleration)))
+             : in_drop("gravity", parse_vector("gravity", *text, measure::acceleration));
 }
 
 /// Sets when the drop ends; says it for people.
 std::string parse_until(const Text& text, DropSettings<double>& settings) {
   settings.horizon = longest_drop;
-  if (!text || *text == "rest") {
+  const std::string_view typed = text ? trimmed(*text) : "rest";
+  if (typed == "rest") {
     return fmt::format("rest, at most {} s", longest_drop);
   }
-  const std::size_t mark = text->find("-impact");
-  if (mark != std::string::npos) {
-    const char* end = text->data() + mark;
-    const std::string_view unit = std::string_view(*text).substr(mark);
-    int count = 0;
-    const auto result = std::from_chars(text->data(), end, count);
-    if (result.ec == std::errc() && result.ptr == end && 0 < count && (unit == "-impacts" || *text == "1-impact")) {
+  const std::size_t mark = std::min(typed.find("-impact"), typed.size());
+  std::string_view number = typed;
+  if (mark < typed.size()) {
+    const int count = whole_number(typed.substr(0, mark)).value_or(0);
+    const std::string_view unit = typed.substr(mark);
+    if (0 < count && (unit == "-impacts" || (count == 1 && unit == "-impact"))) {
       settings.maximum_impacts = count;
       return fmt::format("{} impact{}, at most {} s", count, count == 1 ? "" : "s", longest_drop);
     }
-  } else if (text->find_first_of("0123456789") < std::min<std::size_t>(text->size(), 3)) {
-    const Number time = parse_time("until", *text);
+  } else if (take_decimal(number)) {
+    const Number time = parse("until", *text, measure::time);
     require_positive("until", time);
-    settings.horizon = in_drop("until", time, "s");
+    settings.horizon = in_drop("until", time);
     return fmt::format("{:.6g} s", *settings.horizon);
   }
   throw InvalidArgument("until", *text, "must be rest, a time such as 500ms, or a count such as 5-impacts");
@@ -123,11 +96,11 @@ std::string parse_until(const Text& text, DropSettings<double>& settings) {
 
 /// The tilt, in degrees, about an axis in the surface or any other.
 Quat<double> parse_attitude_of(const Text& tilt, const Text& tilt_axis) {
-  const Number degrees = tilt ? parse_bare("tilt", *tilt, "degrees") : Number(0);
+  const Number degrees = tilt ? parse("tilt", *tilt, measure::angle) : Number(0);
   require(abs(degrees) <= 360, "tilt", degrees, "must be from -360 to 360 degrees");
   Vec3<Number> axis(0, 1, 0);
   if (tilt_axis) {
-    axis = parse_vector("tilt-axis", *tilt_axis);
+    axis = parse_vector("tilt-axis", *tilt_axis, measure::ratio);
     const Number size = axis.norm();
     if (!(0 < size)) {
       throw InvalidArgument("tilt-axis", *tilt_axis, "must not be zero");
@@ -169,44 +142,40 @@ void check_combination(const DropOptions& options) {
 
 DropSettings<double> settings_of(const DropOptions& options, const Stone<double>& stone, std::string& until) {
   DropSettings<double> settings;
-  settings.restitution = ratio_or("restitution", options.restitution, settings.restitution);
-  settings.friction = parse_friction(options.friction, settings.friction);
+  set(settings.restitution, "restitution", options.restitution, measure::ratio);
+  if (options.friction && trimmed(*options.friction) == "inf") {  // nothing slips
+    settings.friction = std::numeric_limits<double>::infinity();
+  } else {
+    set(settings.friction, "friction", options.friction, measure::ratio);
+  }
   settings.gravity = parse_gravity(options.gravity);
-  set_length("rolling-resistance", options.rolling_resistance, settings.rolling_resistance);
-  set_length("pivot-radius", options.pivot_radius, settings.pivot_radius);
+  set(settings.rolling_resistance, "rolling-resistance", options.rolling_resistance, measure::length);
+  set(settings.pivot_radius, "pivot-radius", options.pivot_radius, measure::length);
   settings.friction_model = parse_friction_model(options.friction_model);
-  if (options.slip_coefficient) {
-    settings.slip_coefficient =
-        in_drop("slip-coefficient", parse_bare("slip-coefficient", *options.slip_coefficient, "s/m"), "s/m");
-  }
-  set_length("patch-radius", options.patch_radius, settings.patch_radius);
+  set(settings.slip_coefficient, "slip-coefficient", options.slip_coefficient, measure::slip_coefficient);
+  set(settings.patch_radius, "patch-radius", options.patch_radius, measure::length);
   settings.law = parse_law(options.law);
-  settings.tolerance = ratio_or("tolerance", options.tolerance, settings.tolerance);
+  set(settings.tolerance, "tolerance", options.tolerance, measure::ratio);
   until = parse_until(options.until, settings);
-  try {
-    require_settings(settings, stone);
-  } catch (const InvalidArgument& error) {
-    // The user knows them with hyphens.
-    std::string argument = error.argument();
-    std::ranges::replace(argument, '_', '-');
-    throw InvalidArgument(argument, error.value(), error.rule());
-  }
+  require_settings(settings, stone);
   return settings;
 }
 
 State<double> start_of(const DropOptions& options, const RigidBody<double>& body) {
   const Vec3<double> nothing(0.0, 0.0, 0.0);
-  Vec3<Number> p_WB(0, 0, parse_length("from", *options.from));
+  Vec3<Number> p_WB(0, 0, parse("from", *options.from, measure::length));
   if (options.position) {
-    const std::vector<Number> place = parse_list("position", *options.position, 2);
+    const std::vector<Number> place = parse_list("position", *options.position, measure::length, 2);
     p_WB.head<2>() << place[0], place[1];
   }
-  static_cast<void>(in_drop("from", p_WB.z(), "m"));
+  static_cast<void>(in_drop("from", p_WB.z()));
   const Quat<double> q_WB = parse_attitude_of(options.tilt, options.tilt_axis);
-  const Vec3<double> w_WB_B = options.spin ? in_drop("spin", parse_vector("spin", *options.spin), "rad/s") : nothing;
-  return {.p_WB = in_drop("position", p_WB, "m"),
+  const Vec3<double> w_WB_B =
+      options.spin ? in_drop("spin", parse_vector("spin", *options.spin, measure::spin)) : nothing;
+  return {.p_WB = in_drop("position", p_WB),
           .q_WB = q_WB,
-          .v_WB = options.velocity ? in_drop("velocity", parse_vector("velocity", *options.velocity), "m/s") : nothing,
+          .v_WB = options.velocity ? in_drop("velocity", parse_vector("velocity", *options.velocity, measure::velocity))
+                                   : nothing,
           .L_W = formula::angular_momentum_W(q_WB, body, w_WB_B)};
 }
 
@@ -227,17 +196,21 @@ DropScene scene_of(const DropOptions& options) {
     scene.board = make_board<double>();
   }
   const Subject subject = subject_of(options.stone);
-  scene.title =
-      subject.title + (subject.bevel == 0 ? ", sharp" : fmt::format(", bevel {} m", six_digits(subject.bevel)));
+  scene.title = described(subject);
   const Stone<Number> stone = stone_of(subject);
-  static_cast<void>(in_drop("width", stone.width, "m"));
-  static_cast<void>(in_drop("height", stone.height, "m"));
+  static_cast<void>(in_drop("width", stone.width));
+  static_cast<void>(in_drop("height", stone.height));
+  static_cast<void>(in_drop("bevel", stone.bevel));
   scene.stone = stone_cast<double>(stone);
   scene.settings = settings_of(options, scene.stone, scene.until);
   const MassProperties<Number> properties = properties_of(stone, options.stone, subject.assumed_density);
-  const Moments<double> moments{.axial = to_double("axial moment", properties.moments.axial, "a drop"),
-                                .transverse = to_double("transverse moment", properties.moments.transverse, "a drop")};
-  scene.body = make_rigid_body(in_drop("mass", properties.mass, "kg"), moments);
+  if (options.stone.density) {
+    static_cast<void>(in_drop("density", properties.density));
+  }
+  const Moments<double> moments{
+      .axial = to_double("axial moment", properties.moments.axial, "a drop", 5 * drop_order),
+      .transverse = to_double("transverse moment", properties.moments.transverse, "a drop", 5 * drop_order)};
+  scene.body = make_rigid_body(in_drop("mass", properties.mass), moments);
   scene.density_assumed = assumes_density(options.stone);
   scene.start = start_of(options, scene.body);
   return scene;

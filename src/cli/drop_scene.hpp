@@ -25,9 +25,8 @@ struct DropScene {
   std::string until;  // what the drop is followed to, for people
 };
 
-/// A given number other than 0 has a magnitude from 1e-20 to 1e20 in SI units: no product of them that a drop needs
-/// leaves the range of a double.
-inline constexpr double largest_magnitude = 1e20;
+/// A given number other than 0 has a magnitude from 1e-20 to 1e20 in SI units (`to_double`).
+inline constexpr int drop_order = 20;
 
 /// The time that a drop to rest is followed, at most   [s].
 inline constexpr double longest_drop = 60;

@@ -124,7 +124,9 @@ std::string end_of(const DropScene& scene, const Drop<double>& drop) {
   const std::string when = fmt::format("{:.6g} s", drop.time);
   switch (drop.status) {
     case DropStatus::rest:
-      return fmt::format("at rest on the {} after {}", to_string(touched_last(scene, drop)), when);
+      return touched_last(scene, drop) == Touched::nothing
+                 ? fmt::format("at rest, touching nothing, after {}", when)
+                 : fmt::format("at rest on the {} after {}", to_string(touched_last(scene, drop)), when);
     case DropStatus::rest_leaning:
       return fmt::format("at rest, leaning, after {}", when);
     case DropStatus::moving:

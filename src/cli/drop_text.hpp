@@ -18,7 +18,7 @@ namespace goishi::cli {
 
 [[nodiscard]] std::string to_csv(const std::vector<DropSample>& samples);
 
-/// "gave up after 12 s: too many events"; for what is no end of its own.
+/// "at rest on the board after 0.5 s", "given up after 12 s: too many events".
 [[nodiscard]] std::string end_of(const DropScene& scene, const Drop<double>& drop);
 
 }  // namespace goishi::cli

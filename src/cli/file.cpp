@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdlib>
@@ -75,6 +76,9 @@ mode_t permissions_for(const fs::path& target) {
 }
 
 void replace(const fs::path& target, std::string_view text) {
+  if (::access(target.c_str(), W_OK) != 0 && errno != ENOENT) {
+    fail();
+  }
   std::string temporary = (target.parent_path() / ".goishi-XXXXXX").string();
   Descriptor file(::mkstemp(temporary.data()));
   try {
@@ -124,15 +128,15 @@ void write_file(const std::string& argument, const std::string& file, std::strin
   }
 }
 
-std::string read_file(const std::string& argument, const std::string& file) {
+std::string read_file(const std::string& argument, const std::string& file, std::size_t most) {
   try {
     const Descriptor source(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
     std::string text;
     std::array<char, 1 << 16> block;
-    while (true) {
-      const ssize_t count = ::read(source.get(), block.data(), block.size());
+    while (text.size() < most) {
+      const ssize_t count = ::read(source.get(), block.data(), std::min(block.size(), most - text.size()));
       if (count == 0) {
-        return text;
+        break;
       }
       if (0 < count) {
         text.append(block.data(), static_cast<std::size_t>(count));
@@ -140,6 +144,7 @@ std::string read_file(const std::string& argument, const std::string& file) {
         fail();
       }
     }
+    return text;
   } catch (const std::system_error& error) {
     throw InvalidArgument(argument, file, "cannot be read: " + error.code().message());
   }

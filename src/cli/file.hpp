@@ -2,6 +2,7 @@
 /// \file
 /// Files, whole or not at all. Every failure is an exception: a full device is noticed.
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -11,10 +12,11 @@ namespace goishi::cli {
 void write_standard_output(std::string_view text);
 
 /// Writes under a temporary name in the same folder, then renames; on failure FILE is as it was,
-/// nothing else is left, and the exception is InvalidArgument. A device or a pipe is written directly.
+/// nothing else is left, and the exception is InvalidArgument. A file that its user may not write is not replaced.
+/// A device or a pipe is written directly.
 void write_file(const std::string& argument, const std::string& file, std::string_view text);
 
-/// InvalidArgument when the file cannot be read.
-[[nodiscard]] std::string read_file(const std::string& argument, const std::string& file);
+/// The file, or its first `most` bytes: a device may have no end. InvalidArgument when it cannot be read.
+[[nodiscard]] std::string read_file(const std::string& argument, const std::string& file, std::size_t most);
 
 }  // namespace goishi::cli

@@ -63,13 +63,14 @@ std::string to_block(const Subject& subject, const Values& values, bool assumed)
 
 }  // namespace
 
-void run_inertia(const InertiaOptions& options) {
+int run_inertia(const InertiaOptions& options) {
   check_combination(options);
   const Subject subject = subject_of(options.stone);
   const Stone<Number> stone = stone_of(subject);
   const Values values = values_of(stone, properties_of(stone, options.stone, subject.assumed_density));
   write_standard_output(options.format == "json" ? to_json(values)
                                                  : to_block(subject, values, assumes_density(options.stone)));
+  return 0;
 }
 
 }  // namespace goishi::cli

@@ -14,7 +14,7 @@ struct InertiaOptions {
   std::string format = "text";
 };
 
-/// Prints to standard output. InvalidArgument for the options' errors.
-void run_inertia(const InertiaOptions& options);
+/// Prints to standard output. Exit status: 0. InvalidArgument for the options' errors.
+[[nodiscard]] int run_inertia(const InertiaOptions& options);
 
 }  // namespace goishi::cli

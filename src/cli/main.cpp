@@ -6,11 +6,15 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <exception>
+#include <goishi/error.hpp>
 #include <goishi/motion/invariants.hpp>
 #include <goishi/motion/steppers.hpp>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "command.hpp"
 #include "contact.hpp"
@@ -30,8 +34,8 @@ constexpr int bad_usage = 2;
 
 constexpr const char* about =
     "Shape, mass, moments of inertia, free rotation, contacts and drops of Go stones.\n"
-    "The program computes with 50 digits, so that every digit it prints is right; drops,\n"
-    "which no closed form gives, in double.";
+    "The program computes with 50 digits, so that every digit it prints is right; what no\n"
+    "closed form gives, drops, times of impact and methods that take steps, in double.";
 
 constexpr const char* about_table =
     "The inertia of each stone size: 14 numbers, white and black,\n"
@@ -89,12 +93,13 @@ The gap is the distance, or, below 0, the depth: moving the stone by that depth 
 normal, which points to it, is the shortest way out. Everything is in the world frame:
 the playing surface is z = 0, its middle the origin. The board has no bottom: below the
 surface its sides go on for ever. Computed with 50 digits; a number below 1e-28 of the
-lengths given is printed as 0. Only the time of impact is computed in double.
+lengths given is printed as 0. Only the time of impact is computed in double: for it, every
+number given but an attitude must be 0 or from 1e-20 to 1e20 in SI units.
 JSON: region is null but for the board; time_of_impact is null unless there is a hit.
 
 Examples:
   goishi contact --size 33 --position 0,0,0.01
-  goishi contact --size 33 --bevel 1mm --position 0.2161,0,0.002 --attitude 0.8,0,0.6,0
+  goishi contact --size 33 --bevel 1mm --position 216.1mm,0,2mm --attitude 0.8,0,0.6,0
   goishi contact --size 33 --position 0,0,0.1 --velocity 0,0,0 --spin 3,0,40 --horizon 1
   goishi contact --width 2 --height 1 --position 0,0,3 --against plane --format json
   goishi contact --size 36 --position 0,0,0.005 --against stone --other-position 0.02,0,0.005
@@ -116,7 +121,7 @@ void add_table(CLI::App& app, TableOptions& options) {
             "[default: what the extension of FILE says, else text]");
   add_value(table, options.output, "--output", "FILE", "Write to FILE, all or nothing [default: standard output]");
   add_value(table, options.check, "--check", "FILE", "Compare FILE with the table, name the first row that differs");
-  table.footer(units_note() + table_examples);
+  table.footer(numbers_note({measure::length, measure::density}) + table_examples);
 }
 
 void add_inertia(CLI::App& app, InertiaOptions& options) {
@@ -138,7 +143,7 @@ void add_inertia(CLI::App& app, InertiaOptions& options) {
             "Density of the stone; --width without one is taken as white\n" + assumed_densities());
   add_value(inertia, options.format, "--format", "FORMAT",
             "text: 6 significant digits, two unit systems; json: 17, SI units\n[default: text]");
-  inertia.footer(units_note() + inertia_examples);
+  inertia.footer(numbers_note({measure::length, measure::density, measure::mass}) + inertia_examples);
 }
 
 std::string methods_note() {
@@ -151,10 +156,14 @@ std::string methods_note() {
          "digit it prints is right. (A component below 1e-28 of its vector is printed as 0;\n"
          "times that turn the body by more than 1e20 rad are refused.)\n"
          "The others compute in double, forwards, for comparison: in equal steps, as few as\n"
-         "are needed for none to be longer than --step, and with --series from row to row.\n"
+         "are needed for none to be longer than --step, and with --series from row to row;\n"
+         "moments, spin and step must be 0 or from 1e-100 to 1e100 in SI units.\n"
          "The angular momentum is in the world frame; spin and moments are in the body frame,\n"
-         "whose z is the symmetry axis. Moments and spin are numbers without units.\n";
+         "whose z is the symmetry axis.\n";
 }
+
+constexpr const char* attitude_note =
+    "\nTyped with few digits it is made unit, with a note, if its length is within 1e-3 of 1";
 
 void add_spin(CLI::App& app, SpinOptions& options) {
   CLI::App& spin = *app.add_subcommand("spin", about_spin);
@@ -165,12 +174,12 @@ void add_spin(CLI::App& app, SpinOptions& options) {
             "Height of the bevel, with --size; as published, it shrinks the stone\n[default: 0, sharp]");
   add_value(spin, options.stone.mass, "--mass", "MASS", "Mass of the stone, instead of a density");
   add_value(spin, options.stone.density, "--density", "DENSITY", "Density of the stone\n" + assumed_densities());
-  add_value(spin, options.axial, "--axial", "I_A", "Moment about the symmetry axis, in kg m²; at most twice I_T");
-  add_value(spin, options.transverse, "--transverse", "I_T", "Moment across the symmetry axis, in kg m²");
-  add_value(spin, options.spin, "--spin", "X,Y,Z", "Angular velocity at time 0, in the body frame, in rad/s");
+  add_value(spin, options.axial, "--axial", "I_A", "Moment about the symmetry axis, at most twice I_T");
+  add_value(spin, options.transverse, "--transverse", "I_T", "Moment across the symmetry axis");
+  add_value(spin, options.spin, "--spin", "X,Y,Z", "Angular velocity at time 0, in the body frame");
   add_value(spin, options.attitude, "--attitude", "W,X,Y,Z",
-            "Attitude at time 0: the unit quaternion from the body to the world;\n"
-            "15 right digits are enough, it is then made unit with 50 [default: 1,0,0,0]");
+            std::string("Attitude at time 0, a unit quaternion from the body to the world [default: 1,0,0,0]") +
+                attitude_note);
   add_value(spin, options.time, "--time", "TIME", "How long it turns");
   add_value(spin, options.method, "--method", "METHOD", "How to compute, see below [default: exact]");
   add_value(spin, options.step, "--step", "TIME", "Longest step; needed by every method but exact");
@@ -179,7 +188,9 @@ void add_spin(CLI::App& app, SpinOptions& options) {
       spin, options.series, "--series", "N",
       fmt::format("Print N rows of CSV instead, 17 digits, evenly from time 0 to TIME,\nboth included; N from 2 to {}",
                   most_rows));
-  spin.footer(units_note() + methods_note() + spin_examples);
+  spin.footer(
+      numbers_note({measure::length, measure::density, measure::mass, measure::moment, measure::spin, measure::time}) +
+      methods_note() + spin_examples);
 }
 
 void add_contact(CLI::App& app, ContactOptions& options) {
@@ -191,25 +202,70 @@ void add_contact(CLI::App& app, ContactOptions& options) {
   add_value(contact, options.stone.height, "--height", "LENGTH", "Thickness, at most the width");
   add_value(contact, options.stone.bevel, "--bevel", "LENGTH",
             "Height of the bevel; as published, it shrinks the stone [default: 0, sharp]");
-  add_value(contact, options.position, "--position", "X,Y,Z", "The stone's centre, in m");
+  add_value(contact, options.position, "--position", "X,Y,Z", "The stone's centre");
   add_value(contact, options.attitude, "--attitude", "W,X,Y,Z",
-            "The unit quaternion from the body to the world; 15 right digits are enough,\n"
-            "it is then made unit with 50 [default: 1,0,0,0, lying flat]");
+            std::string("A unit quaternion from the body to the world [default: 1,0,0,0, lying flat]") + attitude_note);
   add_value(contact, options.against, "--against", "WHAT",
             "board; plane: z = 0 without end; stone: another of the same size\n[default: board]");
-  add_value(contact, options.other_position, "--other-position", "X,Y,Z", "The other stone's centre, in m");
+  add_value(contact, options.other_position, "--other-position", "X,Y,Z", "The other stone's centre");
   add_value(contact, options.other_attitude, "--other-attitude", "W,X,Y,Z",
             "The other stone's attitude [default: 1,0,0,0]");
   add_value(contact, options.lines, "--lines", "N", "Lines of the board, 22 and 23.7 mm apart [default: 19]");
   add_value(contact, options.velocity, "--velocity", "X,Y,Z",
-            "Velocity of the centre, in m/s; the other stone stays where it is [default: 0,0,0]");
-  add_value(contact, options.spin, "--spin", "X,Y,Z", "Angular velocity, in the body frame, in rad/s [default: 0,0,0]");
+            "Velocity of the centre; the other stone stays where it is [default: 0,0,0]");
+  add_value(contact, options.spin, "--spin", "X,Y,Z", "Angular velocity, in the body frame [default: 0,0,0]");
   add_value(contact, options.gravity, "--gravity", "G",
-            fmt::format("Downwards, in m/s² [default: {}]", standard_gravity<double>()));
+            fmt::format("Downwards [default: {} m/s²]", standard_gravity<double>()));
   add_value(contact, options.horizon, "--horizon", "TIME",
             "How far ahead to look for an impact; needs --velocity or --spin");
   add_value(contact, options.format, "--format", "FORMAT", "text: 6 significant digits; json: 17 [default: text]");
-  contact.footer(units_note() + contact_examples);
+  contact.footer(
+      numbers_note({measure::length, measure::velocity, measure::acceleration, measure::spin, measure::time}) +
+      contact_examples);
+}
+
+/// The words of the command line, last first, as CLI11 takes them, which loses the empty value of "--option=".
+std::vector<std::string> words_of(int count, char** arguments) {
+  std::vector<std::string> words;
+  for (int i = count - 1; 0 < i; --i) {
+    std::string word = arguments[i];
+    if (word.starts_with("--") && word.find('=') == word.size() - 1) {
+      word.pop_back();
+      words.emplace_back();
+    }
+    words.push_back(word);
+  }
+  return words;
+}
+
+/// What was typed for an option; nothing if it was not given.
+std::optional<std::string> typed_for(const CLI::Option* option) {
+  return option == nullptr || option->results().empty() ? std::nullopt : std::optional(option->results().front());
+}
+
+/// An error in the words of the user, who knows arguments as options (the outer width as --width) and their values as
+/// they were typed; the library knows both in its own way, and with fewer digits.
+InvalidArgument as_typed(const CLI::App& command, const InvalidArgument& error) {
+  const auto renamed = [](std::string text, std::string_view from, std::string_view to) {
+    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
+      text.replace(at, from.size(), to);
+    }
+    return text;
+  };
+  const std::string argument = renamed(renamed(error.argument(), "outer_width", "width"), "_", "-");
+  std::string rule = renamed(error.rule(), "outer_width", "width");
+  for (const CLI::Option* option : command.get_options()) {
+    const auto typed = typed_for(option);
+    const std::string name = option->get_single_name();
+    // "must not exceed the width (0.022)", "no principal moment above … (transverse 1)"
+    for (const std::string& before : {"exceed the " + name + " (", "below the " + name + " (", "(" + name + " "}) {
+      if (const std::size_t at = rule.find(before); typed && at != std::string::npos) {
+        const std::size_t value = at + before.size();
+        rule.replace(value, rule.find(')', value) - value, *typed);
+      }
+    }
+  }
+  return {argument, typed_for(command.get_option_no_throw("--" + argument)).value_or(error.value()), rule};
 }
 
 int run(int count, char** arguments) {
@@ -228,7 +284,9 @@ int run(int count, char** arguments) {
   add_contact(app, contact);
   add_drop(app, drop);
   try {
-    app.parse(count, arguments);
+    app.parse(words_of(count, arguments));
+  } catch (const CLI::ExtrasError&) {
+    throw std::runtime_error(fmt::format("not expected: {}", fmt::join(app.remaining(true), " ")));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) {
       throw;
@@ -238,23 +296,24 @@ int run(int count, char** arguments) {
     write_standard_output(text.str());
     return 0;
   }
-  if (app.got_subcommand("table")) {
-    return run_table(table);
-  }
-  if (app.got_subcommand("spin")) {
-    return run_spin(spin);
-  }
-  if (app.got_subcommand("contact")) {
-    return run_contact(contact);
-  }
-  if (app.got_subcommand("drop")) {
-    return run_drop(drop);
-  }
-  if (!app.got_subcommand("inertia")) {
+  if (app.get_subcommands().empty()) {
     throw std::runtime_error("a command is needed: table, inertia, spin, contact or drop");
   }
-  run_inertia(inertia);
-  return 0;
+  const CLI::App& command = *app.get_subcommands().front();
+  try {
+    if (command.get_name() == "table") {
+      return run_table(table);
+    }
+    if (command.get_name() == "inertia") {
+      return run_inertia(inertia);
+    }
+    if (command.get_name() == "spin") {
+      return run_spin(spin);
+    }
+    return command.get_name() == "contact" ? run_contact(contact) : run_drop(drop);
+  } catch (const InvalidArgument& error) {
+    throw as_typed(command, error);
+  }
 }
 
 }  // namespace
@@ -263,6 +322,8 @@ int run(int count, char** arguments) {
 int main(int count, char** arguments) {
   // A file that reaches the size limit is then a failed write, which cleans up.
   std::signal(SIGXFSZ, SIG_IGN);
+  // Who reads no further than `| head -1` wants no message.
+  std::signal(SIGPIPE, SIG_DFL);
   try {
     return goishi::cli::run(count, arguments);
   } catch (const std::exception& error) {

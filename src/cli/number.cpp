@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 
 namespace goishi::cli {
 
@@ -119,6 +120,22 @@ Number to_number(const Decimal& decimal) {
     return Number(0);
   }
   return Number((decimal.negative ? "-" : "") + decimal.digits + "e" + std::to_string(decimal.exponent));
+}
+
+std::optional<int> to_whole(const Decimal& decimal) {
+  if (decimal.digits.empty()) {
+    return 0;
+  }
+  std::string text = decimal.digits;
+  drop_zeros(text);
+  const auto zeros = decimal.exponent + static_cast<std::int64_t>(decimal.digits.size() - text.size());
+  if (zeros < 0 || std::numeric_limits<int>::digits10 < zeros) {
+    return std::nullopt;
+  }
+  text = (decimal.negative ? "-" : "") + text + std::string(static_cast<std::size_t>(zeros), '0');
+  int number = 0;
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
+  return result.ec == std::errc() ? std::optional(number) : std::nullopt;
 }
 
 std::string seventeen_digits(const Number& value) {

@@ -34,6 +34,9 @@ inline constexpr std::int64_t largest_order = 100'000'000;
 /// The Number nearest to the decimal.   Domain  `in_range`.
 [[nodiscard]] Number to_number(const Decimal& decimal);
 
+/// The decimal as an int; nothing if it is not whole, to the last digit typed, or too large for one.
+[[nodiscard]] std::optional<int> to_whole(const Decimal& decimal);
+
 /// For programs: 17 significant digits, in the syntax of JSON.
 [[nodiscard]] std::string seventeen_digits(const Number& value);
 

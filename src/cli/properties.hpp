@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The sixteen quantities of a stone, as both subcommands print them: key, name, symbol, unit,
+/// The sixteen quantities of a stone, as `goishi inertia` and `goishi table` print them: key, name, symbol, unit,
 /// value.
 
 #include <array>

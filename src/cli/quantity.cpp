@@ -3,28 +3,73 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <goishi/error.hpp>
-#include <optional>
-#include <span>
 
 namespace goishi::cli {
 
 namespace {
 
-/// A unit is 10^power SI units.
-struct InputUnit {
-  std::string_view name;
-  int power;
+/// A unit as those type it who have no µ, ² and ³. Two letters look like µ: U+00B5 and U+03BC.
+std::string plain(std::string_view unit) {
+  constexpr std::pair<std::string_view, std::string_view> letters[] = {{"\u00b5", "u"}, {"\u03bc", "u"}, {"²", "2"},
+                                                                       {"³", "3"},      {"^2", "2"},     {"^3", "3"}};
+  std::string text(unit);
+  for (const auto& [letter, typed] : letters) {
+    for (std::size_t at = 0; (at = text.find(letter, at)) != std::string::npos;) {
+      text.replace(at, letter.size(), typed);
+    }
+  }
+  return text;
+}
+
+/// What a text must be that has no number where one is needed.
+std::string form_of(const Measure& measure, std::size_t count) {
+  std::string form = count == 1 ? std::string("must be a decimal number")
+                                : fmt::format("must be {} decimal numbers with commas between them", count);
+  if (!measure.units.empty()) {
+    form += fmt::format(", bare ({}) or with a unit ({})", measure.units.front().name, names_of(measure));
+  }
+  return form;
+}
+
+/// A typed number, and whether a unit was typed with it.
+struct Typed {
+  Number value;
+  bool has_unit;
 };
 
-// Both letters that look like µ: U+00B5 and U+03BC.
-constexpr InputUnit lengths[] = {{"m", 0},        {"cm", -2},      {"mm", -3}, {"um", -6},
-                                 {"\u00b5m", -6}, {"\u03bcm", -6}, {"nm", -9}, {"km", 3}};
-constexpr InputUnit densities[] = {{"kg/m³", 0}, {"kg/m3", 0}, {"kg/m^3", 0},
-                                   {"g/cm³", 3}, {"g/cm3", 3}, {"g/cm^3", 3}};
-constexpr InputUnit masses[] = {{"kg", 0}, {"g", -3}, {"mg", -6}};
-constexpr InputUnit times[] = {{"s", 0}, {"ms", -3}};
+/// Reads the part of the text that is one of its `count` numbers.
+Typed read(const std::string& argument, std::string_view text, std::string_view part, const Measure& measure,
+           std::size_t count) {
+  const auto broken = [&](const std::string& rule) { return InvalidArgument(argument, std::string(text), rule); };
+  std::string_view rest = trimmed(part);
+  auto decimal = take_decimal(rest);
+  rest = trimmed(rest);
+  if (!decimal || (measure.units.empty() && !rest.empty())) {
+    throw broken(form_of(measure, count));
+  }
+  const bool has_unit = !rest.empty();
+  if (has_unit) {
+    const auto unit = std::ranges::find(measure.units, plain(rest), [](const InputUnit& u) { return plain(u.name); });
+    if (unit == measure.units.end()) {
+      throw broken(fmt::format("must have one of the units {}, not '{}'", names_of(measure), rest));
+    }
+    decimal->exponent += unit->power;
+  }
+  if (!in_range(*decimal)) {
+    const std::string unit = measure.units.empty() ? "" : fmt::format(" {}", measure.units.front().name);
+    throw broken(fmt::format("must be 0 or from 1e-{0} to 1e{0}{1}, in magnitude", largest_order, unit));
+  }
+  return {to_number(*decimal), has_unit};
+}
+
+}  // namespace
+
+std::string names_of(const Measure& measure) {
+  std::vector<std::string_view> names;
+  std::ranges::transform(measure.units, std::back_inserter(names), &InputUnit::name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blank = " \t";
@@ -32,111 +77,80 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(0, text.find_last_not_of(blank) + 1);
 }
 
-std::string range_rule(std::string_view unit) {
-  return fmt::format("must be 0 or from 1e-{0} to 1e{0} {1}", largest_order, unit);
+Number parse(const std::string& argument, std::string_view text, const Measure& measure) {
+  return read(argument, text, text, measure, 1).value;
 }
 
-/// The whole text is a decimal, or nothing.
-std::optional<Decimal> whole_decimal(std::string_view text) {
-  std::string_view rest = trimmed(text);
-  const std::optional<Decimal> decimal = take_decimal(rest);
-  return rest.empty() ? decimal : std::nullopt;
-}
-
-Number parse(const std::string& argument, std::string_view text, std::span<const InputUnit> units,
-             std::string_view names) {
+std::vector<Number> parse_list(const std::string& argument, std::string_view text, const Measure& measure,
+                               std::size_t count) {
   const auto broken = [&](const std::string& rule) { return InvalidArgument(argument, std::string(text), rule); };
-  std::string_view rest = trimmed(text);
-  auto decimal = take_decimal(rest);
-  if (!decimal) {
-    throw broken(fmt::format("must be a decimal number, bare ({}) or with a unit ({})", units.front().name, names));
+  if (static_cast<std::size_t>(std::ranges::count(text, ',')) + 1 != count) {
+    throw broken(form_of(measure, count));
   }
-  rest = trimmed(rest);
-  if (!rest.empty()) {
-    const auto unit = std::ranges::find(units, rest, &InputUnit::name);
-    if (unit == units.end()) {
-      throw broken(fmt::format("must have one of the units {}, not '{}'", names, rest));
-    }
-    decimal->exponent += unit->power;
-  }
-  if (!in_range(*decimal)) {
-    throw broken(range_rule(units.front().name));
-  }
-  return to_number(*decimal);
-}
-
-}  // namespace
-
-Number parse_length(const std::string& argument, std::string_view text) {
-  return parse(argument, text, lengths, length_units);
-}
-
-Number parse_density(const std::string& argument, std::string_view text) {
-  return parse(argument, text, densities, density_units);
-}
-
-Number parse_mass(const std::string& argument, std::string_view text) {
-  return parse(argument, text, masses, mass_units);
-}
-
-Number parse_time(const std::string& argument, std::string_view text) {
-  return parse(argument, text, times, time_units);
-}
-
-Number parse_bare(const std::string& argument, std::string_view text, std::string_view unit) {
-  const std::optional<Decimal> decimal = whole_decimal(text);
-  if (!decimal) {
-    throw InvalidArgument(argument, std::string(text), fmt::format("must be a decimal number, in {}", unit));
-  }
-  if (!in_range(*decimal)) {
-    throw InvalidArgument(argument, std::string(text), range_rule(unit));
-  }
-  return to_number(*decimal);
-}
-
-std::vector<Number> parse_list(const std::string& argument, std::string_view text, std::size_t count) {
   std::vector<Number> numbers;
-  for (std::string_view rest = text;;) {
+  bool some_have_units = false;
+  bool some_need_units = false;
+  std::string_view rest = text;
+  for (std::size_t i = 0; i < count; ++i) {
     const std::size_t comma = std::min(rest.find(','), rest.size());
-    const std::optional<Decimal> decimal = whole_decimal(rest.substr(0, comma));
-    if (!decimal || !in_range(*decimal)) {
-      break;
-    }
-    numbers.push_back(to_number(*decimal));
-    if (comma == rest.size()) {
-      if (numbers.size() == count) {
-        return numbers;
-      }
-      break;
-    }
-    rest.remove_prefix(comma + 1);
+    const Typed number = read(argument, text, rest.substr(0, comma), measure, count);
+    numbers.push_back(number.value);
+    some_have_units = some_have_units || number.has_unit;
+    some_need_units = some_need_units || (!number.has_unit && number.value != 0);
+    rest.remove_prefix(std::min(comma + 1, rest.size()));
   }
-  throw InvalidArgument(argument, std::string(text),
-                        fmt::format("must be {} decimal numbers with commas between them", count));
+  if (some_have_units && some_need_units) {
+    throw broken("must have a unit with each number but 0, or with none");
+  }
+  return numbers;
 }
 
-Vec3<Number> parse_vector(const std::string& argument, std::string_view text) {
-  const std::vector<Number> c = parse_list(argument, text, 3);
+Vec3<Number> parse_vector(const std::string& argument, std::string_view text, const Measure& measure) {
+  const std::vector<Number> c = parse_list(argument, text, measure, 3);
   return {c[0], c[1], c[2]};
 }
 
-Quat<Number> parse_attitude(const std::string& argument, std::string_view text) {
-  const std::vector<Number> c = parse_list(argument, text, 4);
+Quat<Number> parse_attitude(const std::string& argument, std::string_view text, std::vector<std::string>& notes) {
+  const std::vector<Number> c = parse_list(argument, text, measure::ratio, 4);
   const Quat<Number> typed(c[0], c[1], c[2], c[3]);
   const Number square = typed.squaredNorm();
-  if (!(abs(Number(square - 1)) < unit_tolerance<double>())) {
+  const Number length = sqrt(square);
+  const Number off = length - 1;
+  if (!(abs(off) < Number("1e-3"))) {
     throw InvalidArgument(argument, std::string(text),
-                          fmt::format("must be a unit quaternion w,x,y,z to 15 digits; the sum of its squares is {}",
-                                      seventeen_digits(square)));
+                          fmt::format("must be a unit quaternion w,x,y,z, its length within 0.001 of 1, not {}",
+                                      seventeen_digits(length)));
   }
-  return Quat<Number>(typed.coeffs() / sqrt(square));
+  if (!(abs(Number(square - 1)) < unit_tolerance<double>())) {
+    notes.push_back(fmt::format("{} = {}: is made a unit quaternion; its length is 1 {} {}", argument, text,
+                                off < 0 ? "-" : "+", six_digits(abs(off))));
+  }
+  return Quat<Number>(typed.coeffs() / length);
 }
 
-double to_double(const char* argument, const Number& value, std::string_view what) {
-  const double result = value.convert_to<double>();
-  require(std::isnormal(result) || value == 0, argument, value, "is beyond the range of a double, in which ", what,
-          " computes");
-  return result;
+std::optional<int> whole_number(std::string_view text) {
+  std::string_view rest = trimmed(text);
+  const std::optional<Decimal> decimal = take_decimal(rest);
+  return decimal && rest.empty() ? to_whole(*decimal) : std::nullopt;
+}
+
+int parse_whole(const std::string& argument, std::string_view text, int least, int most) {
+  const std::optional<int> number = whole_number(text);
+  if (!number || *number < least || most < *number) {
+    throw InvalidArgument(argument, std::string(text),
+                          fmt::format("must be a whole number from {} to {}", least, most));
+  }
+  return *number;
+}
+
+double to_double(const char* argument, const Number& value, std::string_view what, int order) {
+  const Number size = abs(value);
+  const Number least = to_number({.digits = "1", .exponent = -order});
+  const Number most = to_number({.digits = "1", .exponent = order});
+  require(
+      value == 0 || (least <= size && size <= most), argument, value,
+      fmt::format("must, in SI units, be 0 or from 1e-{0} to 1e{0} in magnitude: {1} computes in double", order, what));
+  return value.convert_to<double>();
 }
 
 }  // namespace goishi::cli

@@ -22,4 +22,10 @@ void report(std::string_view message) {
   std::fputs(line.c_str(), stderr);
 }
 
+void report_notes(const std::vector<std::string>& notes) {
+  for (const std::string& note : notes) {
+    report("note: " + note);
+  }
+}
+
 }  // namespace goishi::cli

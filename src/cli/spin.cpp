@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <goishi/error.hpp>
 #include <stdexcept>
 #include <vector>
@@ -54,23 +53,22 @@ void check_combination(const SpinOptions& options) {
 
 Body body_of(const SpinOptions& options) {
   if (options.axial) {
-    const Moments<Number> moments{.axial = parse_bare("axial", *options.axial, "kg m²"),
-                                  .transverse = parse_bare("transverse", *options.transverse, "kg m²")};
+    const Moments<Number> moments{.axial = parse("axial", *options.axial, measure::moment),
+                                  .transverse = parse("transverse", *options.transverse, measure::moment)};
     require_physical(moments);
     return {.title = "A body with the given moments", .moments = moments};
   }
   const Subject subject = subject_of(options.stone);
   const Stone<Number> stone = stone_of(subject);
-  return {.title =
-              subject.title + (subject.bevel == 0 ? ", sharp" : fmt::format(", bevel {} m", six_digits(subject.bevel))),
+  return {.title = described(subject),
           .moments = properties_of(stone, options.stone, subject.assumed_density).moments,
           .density_assumed = assumes_density(options.stone)};
 }
 
-SpinStart start_of(const SpinOptions& options, const Body& body) {
+SpinStart start_of(const SpinOptions& options, const Body& body, std::vector<std::string>& notes) {
   return {.moments = body.moments,
-          .q_WB = options.attitude ? parse_attitude("attitude", *options.attitude) : Quat<Number>(1, 0, 0, 0),
-          .w_WB_B = parse_vector("spin", *options.spin)};
+          .q_WB = options.attitude ? parse_attitude("attitude", *options.attitude, notes) : Quat<Number>(1, 0, 0, 0),
+          .w_WB_B = parse_vector("spin", *options.spin, measure::spin)};
 }
 
 Scheme parse_method(const std::string& text) {
@@ -85,16 +83,11 @@ Scheme parse_method(const std::string& text) {
 
 /// The times that are printed.
 std::vector<Number> times_of(const SpinOptions& options) {
-  const Number end = parse_time("time", *options.time);
+  const Number end = parse("time", *options.time, measure::time);
   if (!options.series) {
     return {end};
   }
-  const std::string& text = *options.series;
-  int rows = 0;
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), rows);
-  if (result.ptr != text.data() + text.size() || rows < 2 || most_rows < rows) {
-    throw InvalidArgument("series", text, fmt::format("must be a whole number from 2 to {}", most_rows));
-  }
+  const int rows = parse_whole("series", *options.series, 2, most_rows);
   std::vector<Number> times;
   times.reserve(static_cast<std::size_t>(rows));
   for (int row = 0; row < rows; ++row) {
@@ -103,8 +96,8 @@ std::vector<Number> times_of(const SpinOptions& options) {
   return times;
 }
 
-SpinMotion motion_of(const SpinOptions& options, const Body& body, Scheme scheme) {
-  const SpinStart start = start_of(options, body);
+SpinMotion motion_of(const SpinOptions& options, const Body& body, Scheme scheme, std::vector<std::string>& notes) {
+  const SpinStart start = start_of(options, body, notes);
   const std::vector<Number> times = times_of(options);
   if (scheme == Scheme::exact) {
     if (options.step) {
@@ -115,7 +108,7 @@ SpinMotion motion_of(const SpinOptions& options, const Body& body, Scheme scheme
   if (!options.step) {
     throw InvalidArgument("method", options.method, "needs --step too");
   }
-  return turn_in_steps(start, times, scheme, parse_time("step", *options.step));
+  return turn_in_steps(start, times, scheme, parse("step", *options.step, measure::time));
 }
 
 std::string to_csv(const SpinMotion& motion) {
@@ -208,7 +201,9 @@ int run_spin(const SpinOptions& options) {
   check_combination(options);
   const Scheme scheme = parse_method(options.method);
   const Body body = body_of(options);
-  const SpinMotion motion = motion_of(options, body, scheme);
+  std::vector<std::string> notes;
+  const SpinMotion motion = motion_of(options, body, scheme, notes);
+  report_notes(notes);
   if (options.series) {
     write_standard_output(to_csv(motion));
   } else {

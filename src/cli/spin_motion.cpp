@@ -61,7 +61,7 @@ SpinSample settled(SpinSample sample) {
 
 /// The methods that take steps compute in double.
 double to_double(const char* argument, const Number& value) {
-  return cli::to_double(argument, value, "every method but 'exact'");
+  return cli::to_double(argument, value, "every method but 'exact'", stepped_order);
 }
 
 }  // namespace

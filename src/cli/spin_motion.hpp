@@ -63,7 +63,10 @@ inline constexpr std::string_view largest_turn = "1e20";
 inline constexpr std::string_view least_part = "1e-28";
 
 /// How many steps a motion may take.
-inline constexpr std::int64_t most_steps = 1'000'000'000;
+inline constexpr std::int64_t most_steps = 100'000'000;
+
+/// The methods that take steps need moments and a spin of magnitudes from 1e-100 to 1e100 in SI units (`to_double`).
+inline constexpr int stepped_order = 100;
 
 /// By the closed form. A component c of a unit vector is right in all of 17 digits if c > 1e-12, or c > 1e-31 (1 + the
 /// turn in rad).
@@ -71,8 +74,8 @@ inline constexpr std::int64_t most_steps = 1'000'000'000;
 [[nodiscard]] SpinMotion turn_exactly(const SpinStart& start, const std::vector<Number>& times);
 
 /// By a scheme of goishi::Stepper, in double: equal steps, none longer than `step`, from each time to the next.
-/// Domain  times from 0 evenly upwards (or the end alone); step > 0; at most `most_steps` steps; numbers in the range
-///         of a double; else InvalidArgument.
+/// Domain  times from 0 evenly upwards (or the end alone); step > 0; at most `most_steps` steps; numbers that
+///         `to_double` takes; else InvalidArgument.
 [[nodiscard]] SpinMotion turn_in_steps(const SpinStart& start, const std::vector<Number>& times, Scheme scheme,
                                        const Number& step);
 

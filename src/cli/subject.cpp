@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <goishi/error.hpp>
 #include <goishi/shape/catalogue.hpp>
 
@@ -10,21 +9,6 @@
 #include "quantity.hpp"
 
 namespace goishi::cli {
-
-namespace {
-
-CatalogueStone parse_size(const std::string& text, StoneColor color) {
-  int number = -1;
-  const char* end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, number);
-  try {
-    return catalogue_stone(result.ptr == end ? number : -1, color);
-  } catch (const InvalidArgument& error) {
-    throw InvalidArgument(error.argument(), text, error.rule());
-  }
-}
-
-}  // namespace
 
 void refuse_together(const char* argument, const std::optional<std::string>& value, const char* other,
                      const std::optional<std::string>& other_value) {
@@ -49,17 +33,17 @@ void check_stone(const StoneOptions& options) {
 }
 
 Subject subject_of(const StoneOptions& options) {
-  const Number bevel = options.bevel ? parse_length("bevel", *options.bevel) : Number(0);
+  const Number bevel = options.bevel ? parse("bevel", *options.bevel, measure::length) : Number(0);
   if (!options.size) {
     return {.title = "The stone of the given width and height",
-            .width = parse_length("width", *options.width),
-            .height = parse_length("height", *options.height),
+            .width = parse("width", *options.width, measure::length),
+            .height = parse("height", *options.height, measure::length),
             .bevel = bevel,
             .measured = options.measured,
             .assumed_density = catalogue::assumed_white_density};
   }
   const StoneColor color = options.color ? parse_color(*options.color) : StoneColor::white;
-  const CatalogueStone entry = parse_size(*options.size, color);
+  const CatalogueStone entry = catalogue_stone(whole_number(*options.size).value_or(0), color);  // 0 is none
   return {.title = fmt::format("The {} stone of size {}", to_string(color), entry.number),
           .width = metres<Number>(entry.width),
           .height = metres<Number>(entry.height),
@@ -69,24 +53,21 @@ Subject subject_of(const StoneOptions& options) {
 }
 
 Stone<Number> stone_of(const Subject& subject) {
-  if (!subject.measured) {
-    return make_stone(subject.width, subject.height, subject.bevel);
-  }
-  try {
-    return make_measured_stone(subject.width, subject.height, subject.bevel);
-  } catch (const InvalidArgument& error) {
-    // The user knows it as --width.
-    const bool outer = error.argument() == "outer_width";
-    throw InvalidArgument(outer ? "width" : error.argument(), error.value(), error.rule());
-  }
+  return subject.measured ? make_measured_stone(subject.width, subject.height, subject.bevel)
+                          : make_stone(subject.width, subject.height, subject.bevel);
 }
 
 MassProperties<Number> properties_of(const Stone<Number>& stone, const StoneOptions& options, int assumed_density) {
   if (options.mass) {
-    return mass_properties(stone, Mass{parse_mass("mass", *options.mass)});
+    return mass_properties(stone, Mass{parse("mass", *options.mass, measure::mass)});
   }
-  const Number density = options.density ? parse_density("density", *options.density) : Number(assumed_density);
+  const Number density =
+      options.density ? parse("density", *options.density, measure::density) : Number(assumed_density);
   return mass_properties(stone, Density{density});
+}
+
+std::string described(const Subject& subject) {
+  return subject.title + (subject.bevel == 0 ? ", sharp" : fmt::format(", bevel {} m", six_digits(subject.bevel)));
 }
 
 const char* explanation(const Subject& subject) {

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The stone that the options of `goishi inertia` and `goishi spin` ask for.
+/// The stone that the options of a command ask for.
 
 #include <goishi/mass/inertia.hpp>
 #include <goishi/shape/stone.hpp>
@@ -57,6 +57,9 @@ void check_stone(const StoneOptions& options);
 [[nodiscard]] inline bool assumes_density(const StoneOptions& options) {
   return !options.mass && !options.density;
 }
+
+/// "The white stone of size 33, bevel 0.001 m"
+[[nodiscard]] std::string described(const Subject& subject);
 
 /// What the width given is the width of.
 [[nodiscard]] const char* explanation(const Subject& subject);

@@ -29,13 +29,13 @@ std::vector<StoneColor> colors_of(const TableOptions& options) {
 
 std::vector<Number> bevels_of(const TableOptions& options) {
   if (options.bevel) {
-    return {parse_length("bevel", *options.bevel)};
+    return {parse("bevel", *options.bevel, measure::length)};
   }
   return {Number(0), metres<Number>(catalogue::table_bevel)};
 }
 
 Number density_of(const TableOptions& options, const CatalogueStone& entry) {
-  return options.density ? parse_density("density", *options.density) : Number(entry.density);
+  return options.density ? parse("density", *options.density, measure::density) : Number(entry.density);
 }
 
 UnitSystem units_of(const TableOptions& options) {
@@ -126,7 +126,9 @@ int run_table(const TableOptions& options) {
   const Table table = table_of(options, format);
   const Document document = format.print(table);
   if (options.check) {
-    const auto difference = first_difference(document, read_file("check", *options.check));
+    constexpr std::size_t too_much = 100;  // to be seen, and shown
+    const std::string found = read_file("check", *options.check, document.text().size() + too_much);
+    const auto difference = first_difference(document, found);
     if (difference) {
       report(fmt::format("{}: {}", *options.check, *difference));
       return 1;
