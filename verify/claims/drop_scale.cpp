@@ -153,8 +153,11 @@ Measurement measure_sizes(Context& context) {
       const auto see = [&](double error, const char* name) {
         worst.see(error, [&] { return fmt::format("{}: drop {}, size {:a}", name, i, size); });
       };
-      see(other.drop.status == usual.drop.status && other.drop.ground == usual.drop.ground ? 0.0 : 1.0, "status");
-      // Over an edge a stone hops, which magnifies round-off by more than any tolerance.
+      // Over an edge a stone hops, which magnifies round-off by more than any tolerance: there it may come to rest
+      // elsewhere.
+      const bool rests = other.drop.status == DropStatus::rest || other.drop.status == DropStatus::rest_leaning;
+      const bool alike_ended = other.drop.status == usual.drop.status && other.drop.ground == usual.drop.ground;
+      see(alike_ended || (usual.drop.lower_order && rests) ? 0.0 : 1.0, "status");
       edges += usual.drop.lower_order ? 1 : 0;
       const bool same = has_the_events_of(usual.drop, other.drop);
       alike += same ? 1 : 0;
@@ -205,7 +208,7 @@ std::vector<Claim> drop_scale_claims() {
        .family = OracleFamily::metamorphic,
        .oracle = "the drop of size 33",
        .unit = "of the width; of the time",
-       .bound = 1e-6,
+       .bound = 5e-8,
        .reason = "round-off, and where it moves a step's end the tolerance 1e-9, magnified by the bounces; measured "
                  "2026-11-29",
        .resolution = 1e-9,

@@ -116,12 +116,12 @@ class ContactState {
     const auto magnitude = [](const T& x) { return x < T(0) ? T(-x) : x; };
     const Board<T>& board = *run.board;
     if (!(run.level < T(0))) {
-      const T x = board.half_width - magnitude(where[at::x] + now.r.x());
-      const T z = board.half_length - magnitude(where[at::y] + now.r.y());
-      return x < z ? x : z;
+      const T across = board.half_width - magnitude(where[at::x] + now.r.x());
+      const T along = board.half_length - magnitude(where[at::y] + now.r.y());
+      return across < along ? across : along;
     }
-    const T x = magnitude(where[at::x]) - board.half_width, z = magnitude(where[at::y]) - board.half_length;
-    const T over = (x < z ? z : x) - run.reach;
+    const T across = magnitude(where[at::x]) - board.half_width, along = magnitude(where[at::y]) - board.half_length;
+    const T over = (across < along ? along : across) - run.reach;
     if (T(0) < over) {
       return over;
     }

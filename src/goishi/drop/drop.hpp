@@ -60,7 +60,12 @@ template <Ordered T>
 ///
 /// Domain  a stone of `make_stone`; a body of `make_rigid_body` with symmetry axis Bz; a finite start with a unit
 ///         attitude; settings in range; else InvalidArgument. A start inside the plane is a status, with the depth.
-/// Result  every event with time, states, impulse and energy; the status says how it ended.
+/// Result  every event with time, states, impulse and energy; the status says how it ended. It ends: all work is under
+///         one budget, `maximum_steps`.
+/// Rest    is a statement of statics, for one contact or several: there are forces inside the cones of friction, and
+///         torques inside the resistance, that balance gravity where the stone is; what was left of its motion is less
+///         than they take in turning it by the tolerance. Its time and place are those of the stop. Claim DROP-20.
+/// Scale   none of its own: DROP-25, DROP-26.
 /// Error   every link of a drop against witnesses: DROP-18, at tolerance 1e-12 to 1e-9. Bounces: DROP-1, DROP-2. The
 ///         contact phase against exact answers: DROP-3 … DROP-14, and against Lagrange's equations: DROP-17. Where the
 ///         stone comes to rest, by tolerance: DROP-19. Energy never rises but by the tolerance: DROP-20.

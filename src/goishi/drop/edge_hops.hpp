@@ -58,7 +58,7 @@ class EdgeHops {
   }
 
   /// A micro-impact: elastic, so that it takes no energy. One that is too slow to go on from is made as fast as a third
-  /// of `edge_speed`, with energy from the rest of the motion if there is enough.
+  /// of `edge_speed`: friction takes that again, and `keep_energy` what it leaves.
   [[nodiscard]] End hop(const Separation<T>& contact, const T& approach) {
     run_.result.lower_order = true;
     const T energy = run_.energy();
@@ -118,9 +118,9 @@ class EdgeHops {
     return formula::rotational_energy(run_.state, run_.body) + formula::translational_energy(run_.state, run_.body);
   }
 
-  /// Makes the contact point leave faster by `lacking`, without a change of the energy where that can be.
+  /// Makes the contact point leave faster by `lacking`. (With the energy of the rest of the motion, a stone that slides
+  /// down between two contacts would only creep: it would pay for all its hops.)
   void lift(const Separation<T>& contact, const T& lacking) {
-    const T energy = kinetic_energy_now();
     const ImpactBody<T> body = impact_body(run_);
     const Vec3<T> r = contact.p_stone - body.p_WB;
     const ContactMatrix<T> W = formula::contact_matrix(run_.mobility, body.u_W, r);
@@ -129,12 +129,6 @@ class EdgeHops {
         formula::pushed(body, r, Vec3<T>(lacking / formula::dot(n, formula::product(W, n)) * n));
     run_.state.v_WB = lifted.v_WB;
     run_.state.L_W = lifted.L_W;
-    const T more = kinetic_energy_now();
-    if (energy < more && more < T(2) * energy) {
-      const T scale = scalar::sqrt(T(energy / more));
-      run_.state.v_WB = scale * run_.state.v_WB;
-      run_.state.L_W = scale * run_.state.L_W;
-    }
   }
 
   /// However many hops are lifted: never more than one hop's energy above the least that there was.
@@ -154,7 +148,9 @@ class EdgeHops {
       return End::too_many;
     }
     const T speed2 = scalar::sq(*run_.settings.edge_speed);
-    if (T(2) * run_.body.mass * speed2 < kinetic_energy_now() || !is_held_here(contact)) {
+    // Statics costs more than a hop.
+    if (run_.result.counters.edge_impacts % 16 != 0 || T(2) * run_.body.mass * speed2 < kinetic_energy_now() ||
+        !is_held_here(contact)) {
       return End::none;
     }
     run_.state.v_WB = run_.state.L_W = Vec3<T>::Zero();

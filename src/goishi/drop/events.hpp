@@ -58,7 +58,7 @@ struct Event {
 
 enum class DropStatus {
   rest,
-  rest_leaning,  // at rest on two contacts or an edge, by the scheme of lower order
+  rest_leaning,  // at rest on two contacts or an edge, come to by the scheme of lower order
   moving,        // the horizon, or `maximum_impacts`, was reached first
   flies_on,      // nothing is ever touched again
   start_inside,  // the stone overlaps what it is dropped on: `depth`

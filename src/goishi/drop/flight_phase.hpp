@@ -281,7 +281,7 @@ class FlightPhase {
   }
 
   /// The gap is zero and so is its rate, but it opens: flies until it is so wide that its sign is sure. If it does not
-  /// open, round-off opens it.
+  /// open for a moment, round-off opens it.
   void lift_off() {
     const State<T> before = run_.state;
     const T sure_time = opening_time(run_);

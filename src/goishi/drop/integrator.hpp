@@ -129,7 +129,7 @@ class ContactIntegrator {
     const Vec3<T>& g = contact_.body.gravity;
     const T energy = formula::contact_kinetic_energy(k, equations.slip_x(y), equations.slip_y(y));
     const T taken = rate[at::loss] - (g.x() * rate[at::x] + g.y() * rate[at::y] - g.z() * k.point.z());
-    const T stop = T(0) < energy && T(0) < taken ? T(T(2) * energy / taken) : T(0);
+    const T stop = no_energy(contact_.body) < energy && T(0) < taken ? T(T(2) * energy / taken) : T(0);
     if (run_.left() < stop) {
       return false;
     }

@@ -53,13 +53,15 @@ template <Ordered T>
   return true;
 }
 
-/// When the gap of a stone that has just left a plane is surely open   [s]; 0 if it does not open by itself.
+/// When the gap of a stone that has just left a plane is surely open, or if it does not open by itself, until when it is
+/// still closed to round-off   [s].
 template <Ordered T>
 [[nodiscard]] T opening_time(const Run<T>& run) {
   const FlightPath<T> path = path_of(run.state, run.rates, run.settings.gravity);
   const GapAlong<T> gap = gap_along(run.stone, path, Vec3<T>(T(0), T(0), T(1)), run.level);
   const T sure = T(512) * std::numeric_limits<T>::epsilon() * (outer_width(run.stone) + magnitude_of(run.level));
   const T unit = T(1) / run.scales.frequency;
+  T closed(0);
   for (T t = T(2e-7) * unit; t < T(0.25) * unit; t = T(2) * t) {
     const typename GapAlong<T>::Value then = gap(t);
     if (sure < then.gap && T(0) < then.rate) {
@@ -68,8 +70,9 @@ template <Ordered T>
     if (then.gap < -sure) {
       break;
     }
+    closed = t;
   }
-  return T(0);
+  return closed;
 }
 
 /// The first touch within `left`.
