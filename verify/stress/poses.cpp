@@ -15,7 +15,7 @@ namespace goishi::verify::stress {
 
 namespace {
 
-constexpr std::uint64_t block = 64;             // poses of one stone
+constexpr std::uint64_t block = 64;  // poses of one stone
 constexpr std::uint64_t poses_per_search = 1000;
 
 Context context_of(std::uint64_t seed, std::uint64_t index) {
@@ -72,16 +72,16 @@ Quat<double> draw_turn(Context& context, bool singular) {
       return draw_attitude(context.random());
     }
     // Nearly lying, or nearly on edge: thin stones meet what they meet with their rims.
-    const Quat<double> lean(Eigen::AngleAxisd((chance(context, 0.5) ? 1.5707963267948966 : 0.0) +
-                                                  draw_small(context, 9.0) * context.uniform(-1.0, 1.0),
-                                              Vec3<double>(context.uniform(-1.0, 1.0), 1.0, 0.0).normalized()));
+    const Quat<double> lean(Eigen::AngleAxisd(
+        (chance(context, 0.5) ? 1.5707963267948966 : 0.0) + draw_small(context, 9.0) * context.uniform(-1.0, 1.0),
+        Vec3<double>(context.uniform(-1.0, 1.0), 1.0, 0.0).normalized()));
     return lean.normalized();
   }
   const double h = std::sqrt(0.5);
-  const std::array<Quat<double>, 8> exact = {
-      Quat<double>(1, 0, 0, 0),       Quat<double>(0, 1, 0, 0),   Quat<double>(h, h, 0, 0), Quat<double>(h, 0, h, 0),
-      Quat<double>(0.5, 0.5, 0.5, 0.5), Quat<double>(0.5, 0.5, -0.5, 0.5), Quat<double>(0, 0, 1, 0),
-      Quat<double>(0.8, 0.6, 0, 0)};
+  const std::array<Quat<double>, 8> exact = {Quat<double>(1, 0, 0, 0),         Quat<double>(0, 1, 0, 0),
+                                             Quat<double>(h, h, 0, 0),         Quat<double>(h, 0, h, 0),
+                                             Quat<double>(0.5, 0.5, 0.5, 0.5), Quat<double>(0.5, 0.5, -0.5, 0.5),
+                                             Quat<double>(0, 0, 1, 0),         Quat<double>(0.8, 0.6, 0, 0)};
   return exact[context.random()() % exact.size()];
 }
 
@@ -99,8 +99,9 @@ PoseVerdict verdict_of(const Separation<double>& at, double along_normal, double
              (at.status == SeparationStatus::overlapping) != (at.gap < 0.0)) {
     verdict.fault = "status and gap disagree";
   } else if (at.certified && all.answer == AllNormals::Answer::better) {
-    verdict.fault = fmt::format("certified, but n = ({:.17g}, {:.17g}, {:.17g}) separates by {:.17g}, {:.3g} widths more",
-                                all.n[0], all.n[1], all.n[2], all.value, (all.value - at.gap) / scale);
+    verdict.fault =
+        fmt::format("certified, but n = ({:.17g}, {:.17g}, {:.17g}) separates by {:.17g}, {:.3g} widths more", all.n[0],
+                    all.n[1], all.n[2], all.value, (all.value - at.gap) / scale);
   } else if (at.certified && search != nullptr && !(static_cast<double>(search->value) - at.gap <= tolerance * scale)) {
     verdict.fault = fmt::format("certified, but a search finds {:.17g}", static_cast<double>(search->value));
   }

@@ -78,6 +78,29 @@ template <Ordered T>
   return x < T(0) ? T(-x) : x;
 }
 
+/// The first time at which H + H' s + c s²/2 is 0, from H > 0, if c does not change; infinity if it never is.
+template <Ordered T>
+[[nodiscard]] T falling_time(const T& height, const T& rate, const T& c) {
+  const T never = std::numeric_limits<T>::infinity();
+  const T square = scalar::sq(rate) - T(2) * c * height;
+  const T speed = magnitude_of(rate);
+  if (magnitude_of(square) < Squares<T>::vanished && T(0) < height + speed) [[unlikely]] {
+    // Lost in the squares: the same in another unit of length.
+    if (height < T(1) && speed < T(1) && magnitude_of(c) < T(1)) {
+      const T f = Squares<T>::larger;
+      return falling_time(T(f * height), T(f * rate), T(f * c));
+    }
+  }
+  if (square < T(0)) {
+    return never;
+  }
+  const T root = scalar::sqrt(square);
+  if (rate < T(0)) {
+    return T(2) * height / (root - rate);
+  }
+  return c < T(0) ? T((rate + root) / -c) : never;
+}
+
 /// The gap along a fixed normal as a function of time: H(t) = c₀ + c₁ t + c₂ t²/2 − Σ S(u(t)).
 template <Ordered T>
 class GapAlong {
@@ -113,25 +136,11 @@ class GapAlong {
 
   [[nodiscard]] const T& bend() const { return bend_; }
 
-  /// The next time, from t, at which the centres are so near that the bodies could touch: t itself, or when the parabola
-  /// comes down to the highest support that the wobbles reach; infinity when it does not.
-  [[nodiscard]] T within_reach(const T& t) const {
-    const T over = c0_ + t * (c1_ + t * c2_ / T(2)) - highest_;
-    if (!(T(0) < over)) {
-      return t;
-    }
-    const T rate = c1_ + t * c2_;
-    const T root2 = scalar::sq(rate) - T(2) * c2_ * over;
-    const T never = std::numeric_limits<T>::infinity();
-    if (root2 < T(0)) {
-      return never;
-    }
-    // over + rate s + c₂ s²/2 = 0, the first s > 0.
-    const T root = scalar::sqrt(root2);
-    if (rate < T(0)) {
-      return t + T(2) * over / (root - rate);
-    }
-    return c2_ < T(0) ? T(t + (rate + root) / (-c2_)) : never;
+  /// The next time, from t, at which the centres are so near that the bodies could touch, to `nothing`: t itself, or when
+  /// the parabola comes down to the highest support that the wobbles reach; infinity when it does not.
+  [[nodiscard]] T within_reach(const T& t, const T& nothing) const {
+    const T over = c0_ + t * (c1_ + t * c2_ / T(2)) - (highest_ + nothing);
+    return T(0) < over ? T(t + falling_time(over, T(c1_ + t * c2_), c2_)) : t;
   }
 
  private:
@@ -154,17 +163,11 @@ class GapAlong {
   int count_ = 0;
 };
 
-/// The longest step that cannot jump over a root, from H >= 0: the root of H + H' s − M s²/2.
+/// The longest step that cannot jump over a root, from H >= 0: the first root of H + H' s − M s²/2, M the `bend`; from
+/// H = 0 and H' > 0 the one after.
 template <Ordered T>
 [[nodiscard]] T safe_step(const T& gap, const T& rate, const T& bend) {
-  if (!(T(0) < bend)) {
-    return rate < T(0) ? T(gap / -rate) : std::numeric_limits<T>::infinity();
-  }
-  const T root = scalar::sqrt(T(scalar::sq(rate) + T(2) * bend * gap));
-  if (rate < T(0)) {
-    return T(2) * gap / (root - rate);
-  }
-  return (rate + root) / bend;
+  return falling_time(gap, rate, T(-bend));
 }
 
 /// How the search for a root ended.
@@ -175,23 +178,45 @@ struct RootSearch {
   int steps;
 };
 
-/// The first root of the gap along one normal, from `start`, where it is not negative.
+/// What counts as nothing: of a gap [m] and of its rate [m/s], their round-off.
+template <class T>
+struct RoundOff {
+  T gap, rate;
+
+  /// Whether the bodies touch, and not because they are about to part.
+  [[nodiscard]] bool touches(const typename GapAlong<T>::Value& now) const {
+    return now.gap <= gap && now.rate <= rate;
+  }
+};
+
+/// The first time, from `start`, at which the gap along one normal is zero and does not open: a root; the start, if the
+/// bodies touch there; or where the gap comes down to round-off and opens again. At the start it is not below round-off.
 template <Ordered T>
-[[nodiscard]] RootSearch<T> first_root(const GapAlong<T>& gap, const T& start, const T& horizon) {
-  constexpr int most_steps = 1000000;
-  T t = start;
+[[nodiscard]] RootSearch<T> first_root(const GapAlong<T>& gap, const T& start, const T& horizon,
+                                       const RoundOff<T>& nothing, int most_steps) {
+  T t = start, touch = start;
+  bool touched = false;
   for (int steps = 1; steps <= most_steps; ++steps) {
-    t = gap.within_reach(t);
+    const T sure = t;
+    t = gap.within_reach(t, nothing.gap);
     if (!(t <= horizon) || !scalar::is_finite(t)) {
-      return {ImpactStatus::none, horizon, steps};
+      return {touched ? ImpactStatus::hit : ImpactStatus::none, touched ? touch : horizon, steps};
     }
     const typename GapAlong<T>::Value now = gap(t);
-    const bool touching = !(T(0) < now.gap);
-    // On the surface and leaving it: the step is what it takes for the gap to come back at the earliest.
-    if (touching && now.rate <= T(0)) {
-      return {ImpactStatus::hit, t, steps};
+    if (!scalar::is_finite(now.gap)) [[unlikely]] {
+      return {ImpactStatus::not_converged, sure, steps};  // so late that T cannot tell where the stone is
     }
-    const T step = safe_step(touching ? T(0) : now.gap, now.rate, gap.bend());
+    if (nothing.touches(now)) {
+      if (!(T(0) < now.gap) || !(start < t)) {
+        return {ImpactStatus::hit, t, steps};
+      }
+      touched = true;
+      touch = t;
+    } else if (touched) {
+      return {ImpactStatus::hit, touch, steps};
+    }
+    // On the surface and leaving it: the step is what it takes for the gap to come back at the earliest.
+    const T step = safe_step(T(0) < now.gap ? now.gap : T(0), now.rate, gap.bend());
     const T next = t + step;
     if (!(t < next)) {
       return {ImpactStatus::hit, t, steps};
@@ -201,14 +226,24 @@ template <Ordered T>
   return {ImpactStatus::not_converged, t, most_steps};
 }
 
+/// Refuses a flight of numbers whose squares T cannot hold: from √max/16 on.
 template <Ordered T>
-void require_path(const FlightPath<T>& path) {
-  require_point(path.p_W, "position");
-  require_point(path.v_W, "velocity");
-  require_point(path.a_W, "acceleration");
+void require_path(const Stone<T>& stone, const FlightPath<T>& path) {
+  require_stone(stone);
+  const auto require_small = [](const Vec3<T>& v, const char* argument) {
+    require(magnitude_of(T(v.x())) < Squares<T>::most && magnitude_of(T(v.y())) < Squares<T>::most &&
+                magnitude_of(T(v.z())) < Squares<T>::most,
+            argument, v.transpose(), "must be finite, and so must the square of 16 times it");
+  };
+  require_small(path.p_W, "position");
+  require_small(path.v_W, "velocity");
+  require_small(path.a_W, "acceleration");
   require_direction(path.u_W, "axis");
   require_direction(path.k_W, "precession axis");
-  require(scalar::is_finite(path.rate), "rate", path.rate, "must be finite");
+  require(stone.sphere_radius < Squares<T>::most, "stone", stone.sphere_radius,
+          "must have a sphere radius whose square is finite (the radius is shown)");
+  require(stone.sphere_radius * scalar::sq(path.rate) < Squares<T>::most, "rate", path.rate,
+          "must be finite, and so must 256 r² Ω⁴, r the radius of the stone's sphere");
 }
 
 template <Ordered T>

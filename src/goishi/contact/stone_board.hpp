@@ -91,6 +91,18 @@ template <Ordered T>
   return best;
 }
 
+/// Where a side is needed.
+template <Ordered T>
+[[nodiscard]] Separation<T> separation_with_sides(const Placed<T>& placed, const Board<T>& board, const T& reach,
+                                                  const T& gap) {
+  const OctantMaximum<T> best = octants_maximum(placed, board, reach, gap);
+  const Vec3<T>& n = best.n;
+  Separation<T> result = separation_along(placed, n, reach_of(board, n));
+  result.other_feature = board_feature(n.x() < T(0) || T(0) < n.x(), n.y() < T(0) || T(0) < n.y(), T(0) < n.z());
+  result.certified = best.certified;
+  return result;
+}
+
 template <Ordered T>
 [[nodiscard]] Separation<T> separation(const Placed<T>& placed, const Board<T>& board) {
   const T reach = outer_width(placed.stone) / T(2);
@@ -114,12 +126,21 @@ template <Ordered T>
       return separation_along(placed, up, T(0));
     }
   }
-  const OctantMaximum<T> best = octants_maximum(placed, board, reach, gap);
-  const Vec3<T>& n = best.n;
-  Separation<T> result = separation_along(placed, n, reach_of(board, n));
-  result.other_feature = board_feature(n.x() < T(0) || T(0) < n.x(), n.y() < T(0) || T(0) < n.y(), T(0) < n.z());
-  result.certified = best.certified;
-  return result;
+  const auto size_of = [](const T& v) { return v < T(0) ? T(-v) : v; };
+  const T size = board.half_width + board.half_length + placed.stone.sphere_radius + size_of(T(placed.p_W.x())) +
+                 size_of(T(placed.p_W.y())) + size_of(T(placed.p_W.z()));
+  if (Squares<T>::hold(size)) [[likely]] {
+    return separation_with_sides(placed, board, reach, gap);
+  }
+  // In a world of another size.
+  const T factor = Squares<T>::factor(size);
+  const Stone<T> stone = scaled(factor, placed.stone);
+  Board<T> wood = board;
+  wood.half_width = factor * board.half_width;
+  wood.half_length = factor * board.half_length;
+  return scaled_back(factor, Vec3<T>(Vec3<T>::Zero()),
+                     separation_with_sides(Placed<T>{stone, Vec3<T>(factor * placed.p_W), placed.u_W}, wood,
+                                           T(factor * reach), T(factor * gap)));
 }
 
 }  // namespace detail
@@ -127,10 +148,11 @@ template <Ordered T>
 /// Separation of a stone and the board.
 ///
 /// Domain  a finite pose with a unit attitude, a board of `make_board`; else InvalidArgument. A stone inside the board is
-///         ordinary: the shortest way out.
-/// Error   gap within 1e-13 of the width (claims CONTACT-2, CONTACT-3).
-/// Cost    the region decides: over the middle of the surface one support; near an edge one search over a quarter circle;
-///         near a corner three and the corner.
+///         ordinary: the shortest way out. So are lengths of any magnitude (claim DOMAIN-CONTACT-2).
+/// Error   gap within 1e-13 of the width (claims CONTACT-2, CONTACT-3), and as a distance at the board's own: 4 ε of the
+///         board and of where the stone is.
+/// Cost    what is near decides: over the middle of the surface one support; near an edge one search over a quarter circle;
+///         near a corner three and the corner. A stone that is deep asks all sides that may be the shortest way out.
 template <Ordered T>
 [[nodiscard]] Separation<T> separation(const Stone<T>& stone, const Pose<T>& pose, const Board<T>& board) {
   detail::require_board(board);

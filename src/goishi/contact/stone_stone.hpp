@@ -50,8 +50,8 @@ template <Ordered T>
 }
 
 template <Ordered T>
-[[nodiscard]] Separation<T> separation(const Placed<T>& first, const Placed<T>& second) {
-  const Pair<T> pair(first, second);
+[[nodiscard]] Separation<T> separation(const Pair<T>& pair) {
+  const Placed<T>&first = pair.first, &second = pair.second;
   PairPoint<T> best;
   Separation<T> result;
   result.status = find_maximum(pair, best, result.certified);
@@ -69,11 +69,26 @@ template <Ordered T>
   return result;
 }
 
+template <Ordered T>
+[[nodiscard]] Separation<T> separation(const Placed<T>& first, const Placed<T>& second) {
+  const Pair<T> pair(first, second);
+  if (Squares<T>::hold(pair.scale)) [[likely]] {
+    return separation(pair);
+  }
+  // Seen from the second stone, in a world of another size.
+  const T factor = Squares<T>::factor(pair.scale);
+  const Stone<T> one = scaled(factor, first.stone), two = scaled(factor, second.stone);
+  const Vec3<T> between = factor * first.p_W - factor * second.p_W;
+  return scaled_back(factor, second.p_W,
+                     separation(Pair<T>({one, between, first.u_W}, {two, Vec3<T>(Vec3<T>::Zero()), second.u_W})));
+}
+
 }  // namespace detail
 
 /// Separation of two stones; n points from the second to the first.
 ///
-/// Domain  finite poses with unit attitudes, else InvalidArgument. Coincident centres are ordinary.
+/// Domain  finite poses with unit attitudes, else InvalidArgument. Coincident centres are ordinary; so are stones and
+///         distances of any magnitude (claim DOMAIN-CONTACT-3).
 /// Certificate  `certified` in the result. Separated, or overlapping by no more than the bevels: the distance of the two
 ///         core points is the separation of the cores (primal = dual). Cores that overlap: every stationary normal was
 ///         looked at; not certified where that takes too many steps (rims that all but touch along their tangents), and the
