@@ -91,7 +91,7 @@ template <class T>
   T result(1), factor = e < 0 ? T(T(1) / T(2)) : T(2);
   for (int left = e < 0 ? -e : e; left > 0; left /= 2) {
     result = left % 2 == 0 ? result : T(result * factor);
-    factor = factor * factor;
+    factor = left == 1 ? factor : T(factor * factor);  // or it would overflow
   }
   return result;
 }

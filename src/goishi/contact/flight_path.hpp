@@ -69,8 +69,9 @@ struct Wobble {
 
 template <Ordered T>
 [[nodiscard]] Wobble<T> wobble(const Stone<T>& stone, const FlightPath<T>& path, const Vec3<T>& n) {
-  const T along = path.k_W.dot(path.u_W) * path.k_W.dot(n);
-  return {&stone, along, path.u_W.dot(n) - along, path.k_W.cross(path.u_W).dot(n), path.rate};
+  const T along = formula::dot(path.k_W, path.u_W) * formula::dot(path.k_W, n);
+  return {&stone, along, T(formula::dot(path.u_W, n) - along), formula::dot(formula::cross(path.k_W, path.u_W), n),
+          path.rate};
 }
 
 template <Ordered T>
@@ -78,19 +79,10 @@ template <Ordered T>
   return x < T(0) ? T(-x) : x;
 }
 
-/// The first time at which H + H' s + c s²/2 is 0, from H > 0, if c does not change; infinity if it never is.
+/// The first time at which H + H' s + c s²/2 is 0, from H > 0, given H'² − 2 c H; infinity if it never is.
 template <Ordered T>
-[[nodiscard]] T falling_time(const T& height, const T& rate, const T& c) {
+[[nodiscard]] T falling_time_by(const T& square, const T& height, const T& rate, const T& c) {
   const T never = std::numeric_limits<T>::infinity();
-  const T square = scalar::sq(rate) - T(2) * c * height;
-  const T speed = magnitude_of(rate);
-  if (magnitude_of(square) < Squares<T>::vanished && T(0) < height + speed) [[unlikely]] {
-    // Lost in the squares: the same in another unit of length.
-    if (height < T(1) && speed < T(1) && magnitude_of(c) < T(1)) {
-      const T f = Squares<T>::larger;
-      return falling_time(T(f * height), T(f * rate), T(f * c));
-    }
-  }
   if (square < T(0)) {
     return never;
   }
@@ -99,6 +91,24 @@ template <Ordered T>
     return T(2) * height / (root - rate);
   }
   return c < T(0) ? T((rate + root) / -c) : never;
+}
+
+/// The same of numbers whose squares are lost: in another unit of length.
+template <Ordered T>
+[[gnu::noinline]] [[nodiscard]] T falling_time_of_little(T height, T rate, T c) {
+  if (height < T(1) && magnitude_of(rate) < T(1) && magnitude_of(c) < T(1)) {
+    for (T* length : {&height, &rate, &c}) {
+      *length = Squares<T>::larger * *length;
+    }
+  }
+  return falling_time_by(T(scalar::sq(rate) - T(2) * c * height), height, rate, c);
+}
+
+template <Ordered T>
+[[gnu::always_inline]] [[nodiscard]] inline T falling_time(const T& height, const T& rate, const T& c) {
+  const T square = scalar::sq(rate) - T(2) * c * height;
+  return magnitude_of(square) < Squares<T>::vanished ? falling_time_of_little(height, rate, c)
+                                                     : falling_time_by(square, height, rate, c);
 }
 
 /// The gap along a fixed normal as a function of time: H(t) = c₀ + c₁ t + c₂ t²/2 − Σ S(u(t)).
@@ -128,8 +138,14 @@ class GapAlong {
       const T c = scalar::cos(angle), s = scalar::sin(angle);
       const T u = part.A + part.B * c + part.C * s;
       const T u_rate = part.rate * (part.C * c - part.B * s);
-      value.gap = value.gap - support_at(*part.stone, u);
-      value.rate = value.rate - support_slope(*part.stone, u) * u_rate;
+      const Direction<T> n = seen(u);
+      const bool cap = meets_cap(*part.stone, n);
+      const T& d = part.stone->sphere_offset;
+      value.gap = value.gap - (cap ? formula::cap_support(*part.stone, n.axial, n.radial_square)
+                                   : formula::rim_support(*part.stone, n.radial));
+      // S' = −d on the cap, −r₁ u/n_r on the rim.
+      value.rate =
+          value.rate + (cap ? (u < T(0) ? T(-d) : d) : T(part.stone->bevel_major_radius * u / n.radial)) * u_rate;
     }
     return value;
   }
@@ -151,11 +167,6 @@ class GapAlong {
     return {.axial = m, .radial = scalar::sqrt(safe), .radial_square = safe};
   }
   [[nodiscard]] static T support_at(const Stone<T>& stone, const T& u) { return support_value(stone, seen(u)); }
-  [[nodiscard]] static T support_slope(const Stone<T>& stone, const T& u) {
-    const Direction<T> n = seen(u);
-    return meets_cap(stone, n) ? T(u < T(0) ? stone.sphere_offset : T(-stone.sphere_offset))
-                               : T(-(stone.bevel_major_radius * u / n.radial));
-  }
 
   T c0_, c1_, c2_;
   T bend_ = T(0), highest_ = T(0);
@@ -189,6 +200,13 @@ struct RoundOff {
   }
 };
 
+/// A hit at t; of a gap that T cannot hold, at a time so late, only that nothing touches until the step before.
+template <Ordered T>
+[[nodiscard]] RootSearch<T> hit_or_lost(const typename GapAlong<T>::Value& now, const T& t, const T& sure, int steps) {
+  return scalar::is_finite(now.gap) ? RootSearch<T>{ImpactStatus::hit, t, steps}
+                                    : RootSearch<T>{ImpactStatus::not_converged, sure, steps};
+}
+
 /// The first time, from `start`, at which the gap along one normal is zero and does not open: a root; the start, if the
 /// bodies touch there; or where the gap comes down to round-off and opens again. At the start it is not below round-off.
 template <Ordered T>
@@ -203,12 +221,9 @@ template <Ordered T>
       return {touched ? ImpactStatus::hit : ImpactStatus::none, touched ? touch : horizon, steps};
     }
     const typename GapAlong<T>::Value now = gap(t);
-    if (!scalar::is_finite(now.gap)) [[unlikely]] {
-      return {ImpactStatus::not_converged, sure, steps};  // so late that T cannot tell where the stone is
-    }
     if (nothing.touches(now)) {
       if (!(T(0) < now.gap) || !(start < t)) {
-        return {ImpactStatus::hit, t, steps};
+        return hit_or_lost(now, t, sure, steps);
       }
       touched = true;
       touch = t;
@@ -219,31 +234,46 @@ template <Ordered T>
     const T step = safe_step(T(0) < now.gap ? now.gap : T(0), now.rate, gap.bend());
     const T next = t + step;
     if (!(t < next)) {
-      return {ImpactStatus::hit, t, steps};
+      return hit_or_lost(now, t, sure, steps);
     }
     t = next;
   }
   return {ImpactStatus::not_converged, t, most_steps};
 }
 
+/// |x| + |y| + |z|.
+template <Ordered T>
+[[nodiscard]] T size_of(const Vec3<T>& v) {
+  return magnitude_of(T(v.x())) + magnitude_of(T(v.y())) + magnitude_of(T(v.z()));
+}
+
+/// Says what is wrong with a path that `require_path` does not take.
+template <Ordered T>
+[[noreturn]] void refuse_path(const Stone<T>& stone, const FlightPath<T>& path) {
+  const auto require_square = [](const Vec3<T>& v, const char* argument) {
+    require(size_of(v) < Squares<T>::most, argument, v.transpose(),
+            "must be finite, and so must the square of 16 times it");
+  };
+  require_square(path.p_W, "position");
+  require_square(path.v_W, "velocity");
+  require_square(path.a_W, "acceleration");
+  require(stone.sphere_radius < Squares<T>::most, "stone", stone.sphere_radius,
+          "must have a sphere radius whose square is finite (the radius is shown)");
+  throw_invalid("rate", path.rate, "must be finite, and so must 256 r² Ω⁴, r the radius of the stone's sphere");
+}
+
 /// Refuses a flight of numbers whose squares T cannot hold: from √max/16 on.
 template <Ordered T>
 void require_path(const Stone<T>& stone, const FlightPath<T>& path) {
+  const T& most = Squares<T>::most;
+  const T& r = stone.sphere_radius;
   require_stone(stone);
-  const auto require_small = [](const Vec3<T>& v, const char* argument) {
-    require(magnitude_of(T(v.x())) < Squares<T>::most && magnitude_of(T(v.y())) < Squares<T>::most &&
-                magnitude_of(T(v.z())) < Squares<T>::most,
-            argument, v.transpose(), "must be finite, and so must the square of 16 times it");
-  };
-  require_small(path.p_W, "position");
-  require_small(path.v_W, "velocity");
-  require_small(path.a_W, "acceleration");
+  if (!(size_of(path.p_W) < most && size_of(path.v_W) < most && size_of(path.a_W) < most && r < most &&
+        r * scalar::sq(path.rate) < most)) [[unlikely]] {
+    refuse_path(stone, path);
+  }
   require_direction(path.u_W, "axis");
   require_direction(path.k_W, "precession axis");
-  require(stone.sphere_radius < Squares<T>::most, "stone", stone.sphere_radius,
-          "must have a sphere radius whose square is finite (the radius is shown)");
-  require(stone.sphere_radius * scalar::sq(path.rate) < Squares<T>::most, "rate", path.rate,
-          "must be finite, and so must 256 r² Ω⁴, r the radius of the stone's sphere");
 }
 
 template <Ordered T>

@@ -45,7 +45,7 @@ template <Ordered T, class Separate, class Along>
       return result;
     }
     const GapAlong<T> gap = along(result.contact);
-    if (nothing.touches({result.contact.gap, gap(t).rate})) {
+    if (result.contact.gap <= nothing.gap && gap(t).rate <= nothing.rate) {
       result.status = ImpactStatus::hit;
       return result;
     }
@@ -65,11 +65,6 @@ template <Ordered T, class Separate, class Along>
   return result;
 }
 
-template <Ordered T>
-[[nodiscard]] T size_of(const Vec3<T>& v) {
-  return magnitude_of(T(v.x())) + magnitude_of(T(v.y())) + magnitude_of(T(v.z()));
-}
-
 /// The round-off of a gap at the start of a flight, and of its rate: `some` ε of the stone's width and of the speeds, 8 ε
 /// of where it is.
 template <Ordered T>
@@ -82,7 +77,7 @@ template <Ordered T>
 template <Ordered T>
 [[nodiscard]] GapAlong<T> gap_along(const Stone<T>& stone, const FlightPath<T>& path, const Vec3<T>& n,
                                     const T& offset) {
-  GapAlong<T> gap(T(n.dot(path.p_W) - offset), n.dot(path.v_W), n.dot(path.a_W));
+  GapAlong<T> gap(T(formula::dot(n, path.p_W) - offset), formula::dot(n, path.v_W), formula::dot(n, path.a_W));
   gap.add(wobble(stone, path, n));
   return gap;
 }
@@ -117,7 +112,8 @@ template <Ordered T>
   const auto contact_at = [&](const T& t) {
     return detail::separation_along(detail::placed_at(stone, path, t), plane.n_W, plane.offset);
   };
-  if (gap(T(0)).gap < -nothing.gap) {
+  const bool near = !(T(0) < gap.within_reach(T(0), nothing.gap));
+  if (near && gap(T(0)).gap < -nothing.gap) {
     result.status = ImpactStatus::overlapping;
     result.time = T(0);
     result.contact = contact_at(T(0));
