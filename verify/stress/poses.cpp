@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <mutex>
+#include <numbers>
 #include <thread>
 
 #include "verify/oracles/all_normals.hpp"
@@ -24,10 +25,6 @@ Context context_of(std::uint64_t seed, std::uint64_t index) {
 
 bool chance(Context& context, double share) {
   return context.uniform(0.0, 1.0) < share;
-}
-
-double one_of(Context& context, std::initializer_list<double> values) {
-  return values.begin()[context.random()() % values.size()];
 }
 
 Specimen draw_shape(Context& context) {
@@ -48,12 +45,9 @@ Board<double> draw_board_for(Context& context, double reach) {
                                 : make_board<double>({.lines = 1, .border_x = half(), .border_y = 20.0 * reach});
 }
 
-/// Where along an axis of the board: about its side, far more often inside than out; `singular`: exactly there.
-double draw_along(Context& context, double half, double reach, bool singular) {
+/// Where along an axis of the board: about its side, far more often inside than out.
+double draw_along(Context& context, double half, double reach) {
   const double side = chance(context, 0.5) ? -1.0 : 1.0;
-  if (singular) {
-    return side * one_of(context, {0.0, half, half - reach, half + reach, half - 2.0 * reach, reach});
-  }
   switch (context.random()() % 4) {
     case 0:
       return half * context.uniform(-1.0, 1.0);
@@ -66,23 +60,15 @@ double draw_along(Context& context, double half, double reach, bool singular) {
   }
 }
 
-Quat<double> draw_turn(Context& context, bool singular) {
-  if (!singular) {
-    if (!chance(context, 0.25)) {
-      return draw_attitude(context.random());
-    }
-    // Nearly lying, or nearly on edge: thin stones meet what they meet with their rims.
-    const Quat<double> lean(Eigen::AngleAxisd(
-        (chance(context, 0.5) ? 1.5707963267948966 : 0.0) + draw_small(context, 9.0) * context.uniform(-1.0, 1.0),
-        Vec3<double>(context.uniform(-1.0, 1.0), 1.0, 0.0).normalized()));
-    return lean.normalized();
+Quat<double> draw_turn(Context& context) {
+  if (!chance(context, 0.25)) {
+    return draw_attitude(context.random());
   }
-  const double h = std::sqrt(0.5);
-  const std::array<Quat<double>, 8> exact = {Quat<double>(1, 0, 0, 0),         Quat<double>(0, 1, 0, 0),
-                                             Quat<double>(h, h, 0, 0),         Quat<double>(h, 0, h, 0),
-                                             Quat<double>(0.5, 0.5, 0.5, 0.5), Quat<double>(0.5, 0.5, -0.5, 0.5),
-                                             Quat<double>(0, 0, 1, 0),         Quat<double>(0.8, 0.6, 0, 0)};
-  return exact[context.random()() % exact.size()];
+  // Nearly lying, or nearly on edge: thin stones meet what they meet with their rims.
+  const double lean =
+      (chance(context, 0.5) ? std::numbers::pi / 2.0 : 0.0) + draw_small(context, 9.0) * context.uniform(-1.0, 1.0);
+  const Vec3<double> about = Vec3<double>(context.uniform(-1.0, 1.0), 1.0, 0.0).normalized();
+  return Quat<double>(Eigen::AngleAxisd(lean, about)).normalized();
 }
 
 PoseVerdict verdict_of(const Separation<double>& at, double along_normal, double scale, double tolerance,
@@ -117,20 +103,19 @@ BoardPose draw_board_pose(std::uint64_t seed, std::uint64_t index) {
   const double reach = outer_width(stone) / 2.0;
   drawn.board = draw_board_for(of_block, reach);
   Context context = context_of(seed, index);
-  const bool singular = index % 8 == 0;
   Pose<double>& pose = drawn.pose;
-  pose.q_WB = draw_turn(context, singular && chance(context, 0.8));
-  pose.p_WB = {draw_along(context, drawn.board.half_width, reach, singular && chance(context, 0.7)),
-               draw_along(context, drawn.board.half_length, reach, singular && chance(context, 0.7)), 0.0};
+  const bool singular = index % 8 == 0;
   if (singular) {
-    const double half = stone.height / 2.0;
-    pose.p_WB.z() = one_of(context, {0.0, half, -half, reach, -reach, -3.0 * reach, half / 2.0});
-    if (chance(context, 0.3)) {  // to the bit
-      const Separation<double> at = separation(stone, pose, drawn.board);
-      pose.p_WB -= at.gap * at.n_W;
+    pose = draw_singular_pose(context, stone, drawn.board);
+    if (chance(context, 0.5)) {  // but for one number
+      const double moved = reach * context.uniform(-1.0, 1.0);
+      pose.p_WB[static_cast<Eigen::Index>(context.random()() % 3)] += moved;
     }
     return drawn;
   }
+  pose.q_WB = draw_turn(context);
+  pose.p_WB = {draw_along(context, drawn.board.half_width, reach), draw_along(context, drawn.board.half_length, reach),
+               0.0};
   // Into the board by a depth of any size, along the normal of the moment or straight down.
   pose.p_WB.z() = reach * context.uniform(-1.0, 1.0);
   const double deeper = reach * (chance(context, 0.5) ? draw_small(context, 12.0) : context.uniform(0.0, 2.0));
@@ -146,13 +131,20 @@ BoardPose draw_board_pose(std::uint64_t seed, std::uint64_t index) {
 Pair draw_pair_pose(std::uint64_t seed, std::uint64_t index) {
   Context context = context_of(seed, index);
   const std::uint64_t turn = context.random()();
-  Pair pair = draw_pair(context, static_cast<int>(turn % 36000));
-  if (turn % 4 == 0) {  // exactly aligned
-    pair.other_pose = {.p_WB = Vec3<double>::Zero(), .q_WB = draw_turn(context, true)};
-    pair.pose = {.p_WB = Vec3<double>::Zero(), .q_WB = draw_turn(context, true)};
-    pair.pose.p_WB[static_cast<Eigen::Index>(context.random()() % 3)] =
-        reach_of(pair) * one_of(context, {0.0, 0.1, 0.5, 0.9, 1.0});
+  if (turn % 2 == 0) {
+    return draw_pair(context, static_cast<int>(turn % 36000));
   }
+  // As thin as those at the board, in each other along any normal by a depth of any size.
+  Pair pair{draw_shape(context), draw_shape(context), {}, {}};
+  const double share = outer_width(pair.first.stone) / outer_width(pair.second.stone);
+  if (share < 0.05 || 20.0 < share) {
+    pair.second = pair.first;
+  }
+  pair.other_pose = {.p_WB = Vec3<double>::Zero(), .q_WB = draw_turn(context)};
+  pair.pose.q_WB = draw_turn(context);
+  const Vec3<double> n = draw_unit(context);
+  touch_along(pair, n);
+  pair.pose.p_WB -= reach_of(pair) * (turn % 4 == 1 ? draw_small(context, 12.0) : context.uniform(0.0, 1.0)) * n;
   return pair;
 }
 

@@ -25,8 +25,8 @@ struct BoardPose {
   Pose<double> pose;
 };
 
-/// The pose of an index: h/w from 1e-4 to 1; at sides, edges and corners, by depths of all magnitudes; in one of eight, the
-/// numbers are exactly what they are singular at: axes along the board's, centres on its lines, touching to the bit.
+/// The pose of an index: h/w from 1e-4 to 1; at sides, edges and corners, by depths of all magnitudes; in one of eight,
+/// exactly singular, or but for one number.
 [[nodiscard]] BoardPose draw_board_pose(std::uint64_t seed, std::uint64_t index);
 [[nodiscard]] Pair draw_pair_pose(std::uint64_t seed, std::uint64_t index);
 
