@@ -125,6 +125,9 @@ template <Ordered T>
 template <Ordered T>
 [[nodiscard]] Separation<T> scaled_back(const T& factor, const Vec3<T>& origin, Separation<T> result) {
   result.gap = result.gap / factor;
+  if (result.status != SeparationStatus::not_converged) {  // a depth may vanish here
+    result.status = result.gap < T(0) ? SeparationStatus::overlapping : SeparationStatus::separated;
+  }
   result.p_stone = origin + result.p_stone / factor;
   result.p_other = origin + result.p_other / factor;
   return result;

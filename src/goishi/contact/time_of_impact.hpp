@@ -126,6 +126,9 @@ template <Ordered T>
   if (root.status == ImpactStatus::hit) {
     result.separations = 1;
     result.contact = contact_at(root.time);
+    if (!scalar::is_finite(result.contact.gap)) [[unlikely]] {
+      result.status = ImpactStatus::not_converged;  // so late that T cannot tell where the stone is
+    }
   }
   return result;
 }
