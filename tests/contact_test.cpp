@@ -140,6 +140,34 @@ TYPED_TEST(Contact, InsideTheBoardTheShortestWayOut) {
 
 // --- another stone
 
+/// The gap changes by no more than the stone is moved.
+TEST(ContactOfThinStones, IsContinuousWhereASideComesWithinReach) {
+  const Stone<double> stone = make_stone(0.022, 0.002);
+  const Quat<double> q(-0.72231494183095801, 0.289656432538211, -0.60150208040025743, -0.18043149162809377);
+  const auto gap = [&](double x) {
+    return separation(stone, {.p_WB = {x, 0.22385994432252881, -0.00096926243295152547}, .q_WB = q},
+                      make_board<double>())
+        .gap;
+  };
+  // Half a width inside the side: 0.2121 − 0.011. Out over both sides is the shortest way on either side of that.
+  for (const double x : {0.2010999, 0.201099999, 0.2011, 0.2011001}) {
+    EXPECT_NEAR(gap(x), -0.0114698, 1e-6) << x;
+  }
+  EXPECT_NEAR(gap(0.2010999), gap(0.2011001), 2e-7);
+  EXPECT_NEAR(gap(0.201099999), gap(0.2011), 1e-9);
+}
+
+/// A bevel of next to nothing that touches an edge: the normal is in the digits that are left of two lengths.
+TEST(ContactOfThinStones, AnEdgeThatTouchesTheRim) {
+  const Stone<double> stone = make_stone(0.022, 3.55e-6, 8e-13);
+  const Board<double> wood = make_board<double>();
+  const double reach = outer_width(stone) / 2.0;
+  for (const double deeper : {0.0, 1e-16, 1e-15, 1e-14}) {
+    const Pose<double> pose{.p_WB = {0.1, -(wood.half_length + reach - deeper), 0.0}, .q_WB = Quat<double>(1, 0, 0, 0)};
+    EXPECT_NEAR(separation(stone, pose, wood).gap, -deeper, 5e-17);
+  }
+}
+
 TYPED_TEST(Contact, WithAnotherStone) {
   using T = TypeParam;
   const Stone<T> small_ball = make_stone(T(2), T(2));
@@ -196,6 +224,46 @@ TYPED_TEST(Contact, RimsThatCross) {
   EXPECT_EQ(found.feature, Feature::rim);
   expect_near(found.gap, T(T(11.9L) - T(12)), T(10) * this->stone_error);
   expect_near(found.n_W, vec<T>(1, 0, 0), T(100) * this->stone_error);
+}
+
+// --- magnitudes
+
+TYPED_TEST(Contact, SquaresThatOverflowOrVanish) {
+  using T = TypeParam;
+  const int e = std::numeric_limits<T>::max_exponent;
+  const T huge = std::ldexp(T(1), e * 3 / 4), tiny = std::ldexp(T(1), -e * 3 / 4);
+  // Far apart: the stones are nothing beside the distance.
+  const Separation<T> far = separation(sharp<T>(), lying<T>(0, 0, 0), sharp<T>(),
+                                       {.p_WB = {T(0), huge, T(0)}, .q_WB = Quat<T>(T(1), T(0), T(0), T(0))});
+  EXPECT_EQ(far.status, SeparationStatus::separated);
+  EXPECT_TRUE(far.certified);
+  EXPECT_EQ(far.gap, huge);
+  EXPECT_EQ(far.n_W, vec<T>(0, -1, 0));
+  if (std::same_as<T, long double>) {
+    return;  // makes its stones in no wider type
+  }
+  // All of it larger or smaller.
+  for (const T& f : {huge, tiny}) {
+    const Stone<T> stone = make_stone(T(f * T(8)), T(f * T(4)));
+    const auto at = [&](long double x, long double y, long double z) {
+      return Pose<T>{.p_WB = f * vec<T>(x, y, z), .q_WB = Quat<T>(T(1), T(0), T(0), T(0))};
+    };
+    const auto expect = [&](const Separation<T>& found, const T& gap) {
+      expect_near(T(found.gap / f), gap, T(4) * this->stone_error);
+      EXPECT_EQ(found.status, gap < T(0) ? SeparationStatus::overlapping : SeparationStatus::separated);
+      EXPECT_TRUE(found.certified);
+      expect_near(Vec3<T>((found.p_stone - found.p_other) / f), Vec3<T>(gap * found.n_W), T(16) * this->stone_error);
+    };
+    expect(separation(stone, at(1, 2, 9), stone, at(1, 2, 0)), T(5));
+    expect(separation(stone, at(1, 2, 3), stone, at(1, 2, 0)), T(-1));
+    Board<T> wood = board<T>();
+    wood.half_width *= f;
+    wood.half_length *= f;
+    // 5 from the edge is 0 from the cap, and 3 further out along (3, 4)/5.
+    expect(separation(stone, at(53 + 1.8L, 7, 1 + 2.4L), wood), T(3));
+    expect(separation(stone, at(1, 2, 1), wood), T(-1));
+    expect(separation(stone, at(1, 2, 9), Plane<T>{}), T(7));
+  }
 }
 
 // --- errors of the caller

@@ -103,6 +103,104 @@ TYPED_TEST(Impact, GrazingOrNot) {
   this->expect_status(under(T(7) + little), ImpactStatus::none, T(9));
 }
 
+TYPED_TEST(Impact, GrazingExactly) {
+  using T = TypeParam;
+  // Gravity upwards: 5 down in 1 s, to where it touches, and up again.
+  FlightPath<T> path = this->falling(vec<T>(1, 2, 7), vec<T>(0, 0, -10));
+  path.a_W = vec<T>(0, 0, 10);
+  const auto expect_grazes = [this](const TimeOfImpact<T>& found) {
+    EXPECT_EQ(found.status, ImpactStatus::hit) << to_string(found.status);
+    // The gap is 5 (t − 1)².
+    expect_near(found.time, T(1), scalar::sqrt(T(16 * this->stone_error)));
+  };
+  expect_grazes(time_of_impact(sharp<T>(), path, Plane<T>{}, T(9)));
+  expect_grazes(time_of_impact(sharp<T>(), path, board<T>(), T(9)));
+  expect_grazes(time_of_impact(sharp<T>(), path, sharp<T>(), this->drifting(vec<T>(1, 2, -2), vec<T>(0, 0, 0)), T(9)));
+}
+
+// --- touching at the start: one rule for all
+
+/// What `query` answers for a stone that was pushed out along n: hit at once unless it leaves.
+template <class T, class Query>
+void expect_hit_unless_it_leaves(FlightPath<T> path, const Vec3<T>& n, Query&& query) {
+  const Vec3<T> along = n.unitOrthogonal();
+  path.a_W = vec<T>(0, 0, 0);
+  for (const Vec3<T>& v : {vec<T>(0, 0, 0), Vec3<T>(-n), Vec3<T>(3 * along), Vec3<T>(along - n)}) {
+    path.v_W = v;
+    const TimeOfImpact<T> found = query(path);
+    EXPECT_EQ(found.status, ImpactStatus::hit) << to_string(found.status) << ", v = " << v.transpose();
+    EXPECT_EQ(found.time, T(0)) << "v = " << v.transpose();
+  }
+  for (const Vec3<T>& v : {n, Vec3<T>(n / T(1000)), Vec3<T>(n + along)}) {
+    path.v_W = v;
+    const TimeOfImpact<T> found = query(path);
+    EXPECT_EQ(found.status, ImpactStatus::none) << to_string(found.status) << ", v = " << v.transpose();
+    EXPECT_EQ(found.time, T(1));
+  }
+  // At rest, and pressed on or pulled off: at rest is not leaving.
+  path.v_W = vec<T>(0, 0, 0);
+  for (const Vec3<T>& a : {Vec3<T>(-10 * n), Vec3<T>(10 * n)}) {
+    path.a_W = a;
+    const TimeOfImpact<T> found = query(path);
+    EXPECT_EQ(found.status, ImpactStatus::hit) << to_string(found.status) << ", a = " << a.transpose();
+    EXPECT_EQ(found.time, T(0)) << "a = " << a.transpose();
+  }
+}
+
+/// A pose and an axis to start from, `i` of many.
+template <class T>
+Pose<T> leaning_pose(int i, const Vec3<T>& p) {
+  return {.p_WB = p, .q_WB = Quat<T>(T(1), T(i % 7) / T(5), T(i % 11) / T(7) - T(1), T(i % 3) / T(2)).normalized()};
+}
+
+template <class T>
+FlightPath<T> path_from(const Pose<T>& pose) {
+  return {.p_W = pose.p_WB, .v_W = vec<T>(0, 0, 0), .a_W = vec<T>(0, 0, 0), .u_W = formula::symmetry_axis(pose.q_WB)};
+}
+
+TYPED_TEST(Impact, TouchingAnObliquePlaneFarAway) {
+  using T = TypeParam;
+  for (int i = 0; i < 200; ++i) {
+    const Vec3<T> n = vec<T>(1 + i % 5, 2 - i % 4, 3 - i % 9).normalized();
+    const Plane<T> plane{.n_W = n, .offset = T(i % 13)};
+    for (const T& away : {T(0), T(45), T(450), T(45000)}) {  // 45 widths are 1 m
+      Pose<T> pose = leaning_pose(i, Vec3<T>(away * vec<T>(1, -1, 1) / T(2)));
+      for (int k = 0; k < 2; ++k) {  // again, nearer: the first gap is rounded as it is far
+        pose.p_WB -= separation(sharp<T>(), pose, plane).gap * n;
+      }
+      expect_hit_unless_it_leaves(
+          path_from(pose), n, [&](const FlightPath<T>& path) { return time_of_impact(sharp<T>(), path, plane, T(1)); });
+    }
+  }
+}
+
+TYPED_TEST(Impact, TouchingTheBoard) {
+  using T = TypeParam;
+  for (int i = 0; i < 200; ++i) {
+    // On the surface, at an edge, at a corner, beside.
+    const Vec3<T> places[] = {vec<T>(1, 2, 3), vec<T>(51, i % 50, 1), vec<T>(52, 61, 2), vec<T>(-53, i % 60, -20)};
+    Pose<T> pose = leaning_pose(i, places[i % 4]);
+    const Separation<T> at = separation(sharp<T>(), pose, board<T>());
+    pose.p_WB -= at.gap * at.n_W;
+    expect_hit_unless_it_leaves(path_from(pose), at.n_W, [&](const FlightPath<T>& path) {
+      return time_of_impact(sharp<T>(), path, board<T>(), T(1));
+    });
+  }
+}
+
+TYPED_TEST(Impact, TouchingAnotherStone) {
+  using T = TypeParam;
+  for (int i = 0; i < 200; ++i) {
+    const Pose<T> other = leaning_pose(i + 5, vec<T>(i % 3 * 40, 0, 0));
+    Pose<T> pose = leaning_pose(i, Vec3<T>(other.p_WB + vec<T>(3, i % 5 - 2, 4)));
+    const Separation<T> at = separation(bevelled<T>(), pose, bevelled<T>(), other);
+    pose.p_WB -= at.gap * at.n_W;
+    expect_hit_unless_it_leaves(path_from(pose), at.n_W, [&](const FlightPath<T>& path) {
+      return time_of_impact(bevelled<T>(), path, bevelled<T>(), path_from(other), T(1));
+    });
+  }
+}
+
 // --- the board
 
 TYPED_TEST(Impact, WithTheBoard) {

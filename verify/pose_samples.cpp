@@ -40,6 +40,33 @@ Vec3<double> axis_on_rim(Context& context, const Stone<double>& stone, const Vec
   return axial * n + std::sqrt(1.0 - axial * axial) * (std::cos(turn) * across + std::sin(turn) * n.cross(across));
 }
 
+Quat<double> draw_exact_attitude(Context& context) {
+  const double root = std::sqrt(0.5);
+  const std::array<Quat<double>, 8> exact = {Quat<double>(1.0, 0.0, 0.0, 0.0),   Quat<double>(0.0, 1.0, 0.0, 0.0),
+                                             Quat<double>(root, root, 0.0, 0.0), Quat<double>(root, 0.0, root, 0.0),
+                                             Quat<double>(0.5, 0.5, 0.5, 0.5),   Quat<double>(0.5, 0.5, -0.5, 0.5),
+                                             Quat<double>(0.0, 0.0, 1.0, 0.0),   Quat<double>(0.8, 0.6, 0.0, 0.0)};
+  return exact[context.random()() % exact.size()];
+}
+
+Pose<double> draw_singular_pose(Context& context, const Stone<double>& stone, const Board<double>& board) {
+  const double reach = outer_width(stone) / 2.0, half = stone.height / 2.0;
+  const auto one_of = [&](std::initializer_list<double> values) {
+    return values.begin()[context.random()() % values.size()];
+  };
+  const auto along = [&](double side) {
+    return one_of({-1.0, 1.0}) * one_of({0.0, side, side - reach, side + reach, side - 2.0 * reach, reach});
+  };
+  const double x = along(board.half_width), y = along(board.half_length);
+  Pose<double> pose{.p_WB = {x, y, one_of({0.0, half, -half, reach, -reach, -3.0 * reach, half / 2.0})},
+                    .q_WB = draw_exact_attitude(context)};
+  if (context.random()() % 4 == 0) {  // touching to the bit
+    const Separation<double> at = separation(stone, pose, board);
+    pose.p_WB -= at.gap * at.n_W;
+  }
+  return pose;
+}
+
 Pose<double> draw_board_pose(Context& context, const Stone<double>& stone, const Board<double>& board, int i) {
   const double reach = outer_width(stone) / 2.0;
   const auto about = [&](double width) { return reach * width * context.uniform(-1.0, 1.0); };
@@ -60,6 +87,10 @@ Pose<double> draw_board_pose(Context& context, const Stone<double>& stone, const
       break;
     case 2:
       pose.p_WB = {X + about(1.2), Y + about(1.2), about(1.2)};
+      if (i % 16 < 8) {  // farther inside one side than the stone reaches, as deep as it may be pushed out there
+        pose.p_WB.x() = X - std::copysign(reach * context.uniform(0.99, 1.4), X);
+        pose.p_WB.z() = about(0.3);
+      }
       break;
     case 3:
       pose.p_WB = {X * context.uniform(-1.0, 1.0), Y - about(3.0), -reach * context.uniform(0.0, 5.0)};
@@ -90,10 +121,13 @@ Pose<double> draw_board_pose(Context& context, const Stone<double>& stone, const
       break;
     }
     default: {
+      if (i / 8 % 2 == 0) {
+        return draw_singular_pose(context, stone, board);
+      }
       const std::array<Vec3<double>, 6> axes = {Vec3<double>(1, 0, 0), Vec3<double>(0, 1, 0), Vec3<double>(0, 0, 1),
                                                 Vec3<double>(1, 1, 0), Vec3<double>(0, 1, 1), Vec3<double>(1, 1, 1)};
       pose.q_WB = attitude_with_axis(context, axes[context.random()() % 6].normalized());
-      pose.p_WB = {X + (i % 16 < 8 ? 0.0 : about(1.0)), i % 32 < 16 ? 0.0 : Y, about(1.0)};
+      pose.p_WB = {X + (i % 32 < 16 ? 0.0 : about(1.0)), i % 64 < 32 ? 0.0 : Y, about(1.0)};
       break;
     }
   }
@@ -153,7 +187,15 @@ Pair draw_pair(Context& context, int i) {
       pair.pose.p_WB += ((turn % 2 == 0 ? 2e-6 : -2e-6) * reach - at.gap) * at.n_W;
       break;
     }
-    case 6: {  // coaxial, or side by side in one plane
+    case 6: {              // coaxial, or side by side in one plane
+      if (turn % 8 < 2) {  // exactly so
+        pair.other_pose = {.p_WB = Vec3<double>::Zero(), .q_WB = draw_exact_attitude(context)};
+        pair.pose = {.p_WB = Vec3<double>::Zero(), .q_WB = draw_exact_attitude(context)};
+        const std::array<double, 5> apart = {0.0, 0.1, 0.5, 0.9, 1.0};
+        pair.pose.p_WB[static_cast<Eigen::Index>(context.random()() % 3)] =
+            reach * apart[context.random()() % apart.size()];
+        break;
+      }
       const bool coaxial = turn % 2 == 0;
       away = coaxial ? u(pair.other_pose) : Vec3<double>(u(pair.other_pose).unitOrthogonal());
       pair.pose.q_WB = attitude_with_axis(context, turn % 4 < 2 ? u(pair.other_pose) : away);

@@ -24,6 +24,13 @@ namespace goishi::verify {
 [[nodiscard]] Vec3<double> axis_on_rim(Context& context, const Stone<double>& stone, const Vec3<double>& n,
                                        double turn);
 
+/// One of eight attitudes that are exact: the identity, quarter turns, thirds.
+[[nodiscard]] Quat<double> draw_exact_attitude(Context& context);
+
+/// Exactly where queries are singular: axes along the board's, centres on its lines or as far from its sides as the stone
+/// reaches, touching to the bit.
+[[nodiscard]] Pose<double> draw_singular_pose(Context& context, const Stone<double>& stone, const Board<double>& board);
+
 inline constexpr std::array board_strata = {"surface", "edge",     "corner", "deep",
                                             "beside",  "touching", "switch", "aligned"};
 

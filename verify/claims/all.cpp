@@ -32,6 +32,8 @@ std::vector<Claim> all_claims() {
       {"claims/contact_pair.cpp", contact_pair_claims},
       {"claims/contact_points.cpp", contact_point_claims},
       {"claims/contact_laws.cpp", contact_law_claims},
+      {"claims/contact_lipschitz.cpp", contact_lipschitz_claims},
+      {"claims/domain_contact.cpp", domain_contact_claims},
       {"claims/time_of_impact.cpp", time_of_impact_claims},
       {"claims/time_of_impact_bodies.cpp", time_of_impact_body_claims},
       {"claims/time_of_impact_odeint.cpp", time_of_impact_odeint_claims},

@@ -32,6 +32,8 @@ namespace goishi::verify {
 [[nodiscard]] std::vector<Claim> contact_pair_claims();      // CONTACT: two stones against search
 [[nodiscard]] std::vector<Claim> contact_point_claims();     // CONTACT: normals and contact points
 [[nodiscard]] std::vector<Claim> contact_law_claims();       // CONTACT: moved and mirrored worlds, a million poses
+[[nodiscard]] std::vector<Claim> contact_lipschitz_claims();  // CONTACT: a gap changes by no more than the stone moves
+[[nodiscard]] std::vector<Claim> domain_contact_claims();     // DOMAIN-CONTACT: to the ends of what is stated
 [[nodiscard]] std::vector<Claim> time_of_impact_claims();    // TOI: a plane; where a flight starts
 [[nodiscard]] std::vector<Claim> time_of_impact_body_claims();    // TOI: the board, another flying stone
 [[nodiscard]] std::vector<Claim> time_of_impact_odeint_claims();  // TOI: against Odeint with events

@@ -157,8 +157,8 @@ std::vector<Claim> time_of_impact_odeint_claims() {
        .resolution = 4.0 * epsilon,  // places and axes are rounded
        .mutants = {{"contact/flight_path.hpp", "return along + scalar::cos(angle)",
                     "return along - scalar::cos(angle)"},
-                   {"contact/flight_path.hpp", "path.k_W.cross(path.u_W).dot(n), path.rate}",
-                    "-path.k_W.cross(path.u_W).dot(n), path.rate}"},
+                   {"contact/flight_path.hpp", "formula::dot(formula::cross(path.k_W, path.u_W), n),",
+                    "formula::dot(formula::cross(path.u_W, path.k_W), n),"},
                    {"contact/time_of_impact.hpp", "n.dot(Vec3<T>(path.a_W - other_path.a_W))", "n.dot(path.a_W)"}},
        .measure = measure_events},
   };

@@ -14,10 +14,16 @@ std::string replay(std::uint64_t seed, std::uint64_t index) {
   return fmt::format("goishi-verify stress --seed {} --case {}", seed, index);
 }
 
-void show_progress(std::uint64_t finished, const Order& order) {
-  if (finished % 100 == 0 && isatty(STDERR_FILENO) != 0) {
-    fmt::print(stderr, "\r\033[K{} of {} drops …", finished, order.samples);
+void show_progress(std::uint64_t finished, const Order& order, std::uint64_t each, const char* what) {
+  if (finished % each == 0 && isatty(STDERR_FILENO) != 0) {
+    fmt::print(stderr, "\r\033[K{} of {} {} …", finished, order.samples, what);
     std::fflush(stderr);
+  }
+}
+
+void clear_progress() {
+  if (isatty(STDERR_FILENO) != 0) {
+    fmt::print(stderr, "\r\033[K");
   }
 }
 
@@ -60,6 +66,37 @@ bool run_single(std::uint64_t seed, std::uint64_t index) {
   return verdict.faults.empty();
 }
 
+std::string replay_pose(std::uint64_t seed, std::uint64_t index) {
+  return fmt::format("goishi-verify stress --of poses --seed {} --case {}", seed, index);
+}
+
+bool run_single_pose(std::uint64_t seed, std::uint64_t index) {
+  const PoseVerdict verdict = judge_pose(seed, index);
+  fmt::print("{}\n{}\n", describe_pose(seed, index),
+             verdict.fault.empty() ? std::string("sound") : "FAILS  " + verdict.fault);
+  return verdict.fault.empty();
+}
+
+bool run_all_poses(const Order& order) {
+  const PoseTally tally =
+      run_poses(order, [&](std::uint64_t finished) { show_progress(finished, order, 6400, "poses"); });
+  clear_progress();
+  for (const Failure& failure : tally.failures) {
+    fmt::print("FAILS  {}\n       replay: {}\n", failure.fault, replay_pose(order.seed, failure.index));
+  }
+  fmt::print("{} poses, {} wrong; seed {}, {:.1f} s\n", tally.samples, tally.failures.size(), order.seed,
+             tally.seconds);
+  const auto line = [](std::uint64_t count, const char* what) { fmt::print("  {:>10}  {}\n", count, what); };
+  line(tally.pairs, "of two stones, the others of a stone and a board");
+  line(tally.overlapping, "overlapping");
+  line(tally.uncertified, "at the board without a certificate");
+  line(tally.uncertified_pairs, "of two stones without a certificate");
+  line(tally.proved, "judged by a proof over all normals");
+  line(tally.searched, "only by a dense search: too many normals are as good");
+  fmt::print("  gaps off those of their own normals by up to {:.2g} widths\n", tally.error);
+  return tally.failures.empty();
+}
+
 }  // namespace
 
 CLI::App* define_stress(CLI::App& app, Options& options) {
@@ -68,11 +105,19 @@ CLI::App* define_stress(CLI::App& app, Options& options) {
       "Drops random stones: any shape, pose, spin to 1000 rad/s, law and material, over edges and corners; judges that "
       "nothing is NaN, nothing tunnels, energy never rises, and every drop ends at rest or says why not.");
   stress->option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-  stress->add_option("--seed", options.order.seed, "seed of all drops")
+  stress
+      ->add_option(
+          "--of", options.of,
+          "drops, or poses: random stones in the board and in each other, thin ones, near edges and corners and "
+          "exactly singular, each gap judged by a proof over all normals")
+      ->check(CLI::IsMember({"drops", "poses"}))
+      ->capture_default_str()
+      ->type_name("WHAT");
+  stress->add_option("--seed", options.order.seed, "seed of all")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str()
       ->type_name("N");
-  stress->add_option("--samples", options.order.samples, "how many drops")
+  stress->add_option("--samples", options.order.samples, "how many")
       ->check(CLI::PositiveNumber)
       ->capture_default_str()
       ->type_name("N");
@@ -80,34 +125,36 @@ CLI::App* define_stress(CLI::App& app, Options& options) {
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str()
       ->type_name("S");
-  stress->add_option("--threads", options.order.threads, "drops at once; the results do not depend on it")
+  stress->add_option("--threads", options.order.threads, "how many at once; the results do not depend on it")
       ->check(CLI::Range(1U, 256U))
       ->capture_default_str()
       ->type_name("N");
-  stress->add_option("--case", options.single, "one drop alone, with its events")
+  stress->add_option("--case", options.single, "one alone: a drop with its events")
       ->check(CLI::NonNegativeNumber)
       ->type_name("K");
   stress->footer(
       "Exit status: 0 every drop is sound, 1 one is not (the command that replays it is printed), 2 bad usage.\n"
-      "Example: goishi-verify stress --samples 100000 --seed 7");
+      "Examples: goishi-verify stress --samples 100000 --seed 7\n"
+      "          goishi-verify stress --of poses --samples 10000000");
   return stress;
 }
 
 bool run_stress_command(const Options& options) {
   const std::uint64_t seed = options.order.seed;
+  if (options.of == "poses") {
+    return options.single ? run_single_pose(seed, *options.single) : run_all_poses(options.order);
+  }
   if (options.single) {
     return run_single(seed, *options.single);
   }
   const Tally tally = run_stress(
-      options.order, [&](std::uint64_t finished) { show_progress(finished, options.order); },
+      options.order, [&](std::uint64_t finished) { show_progress(finished, options.order, 100, "drops"); },
       [&](std::uint64_t index) {
         fmt::print("FAILS  does not end within {} s\n       replay: {}\n", longest_drop, replay(seed, index));
         std::fflush(stdout);
         std::_Exit(1);
       });
-  if (isatty(STDERR_FILENO) != 0) {
-    fmt::print(stderr, "\r\033[K");
-  }
+  clear_progress();
   print_tally(tally, seed);
   return tally.failures.empty();
 }

@@ -35,8 +35,8 @@ struct BoardDimensions {
   T legs = T(0);  // height of the board's underside over the floor
 };
 
-/// Domain  lines >= 1, spacings and thickness > 0, borders and legs >= 0, all finite; else InvalidArgument. The default is
-///         the real 19-line board, 424.2 × 454.5 × 151.5 mm.
+/// Domain  lines >= 1, spacings and thickness > 0, borders and legs >= 0, all finite, and so the whole board; else
+///         InvalidArgument. The default is the real 19-line board, 424.2 × 454.5 × 151.5 mm.
 template <Ordered T>
 [[nodiscard]] Board<T> make_board(const BoardDimensions<T>& dimensions = {}) {
   const auto require_not_negative = [](const char* argument, const T& value) {
@@ -52,8 +52,12 @@ template <Ordered T>
   const T steps = static_cast<T>(dimensions.lines - 1);
   const T half_width = steps * dimensions.spacing_x / T(2) + dimensions.border_x;
   const T half_length = steps * dimensions.spacing_y / T(2) + dimensions.border_y;
-  require(T(0) < half_width, "border_x", dimensions.border_x, "must be positive on a board with one line");
-  require(T(0) < half_length, "border_y", dimensions.border_y, "must be positive on a board with one line");
+  const auto require_half = [](const char* argument, const T& border, const T& half) {
+    require(T(0) < half, argument, border, "must be positive on a board with one line");
+    require(scalar::is_finite(half), argument, border, "must leave the board a finite size");
+  };
+  require_half("border_x", dimensions.border_x, half_width);
+  require_half("border_y", dimensions.border_y, half_length);
   return {.lines = dimensions.lines,
           .spacing_x = dimensions.spacing_x,
           .spacing_y = dimensions.spacing_y,

@@ -66,16 +66,28 @@ template <Ordered T>
   if (!(T(0) < a && T(0) < b)) {
     return false;
   }
-  // sin α |n| <= m, by squares.
+  // n_r sin α <= m cos α, by squares; n × u is p × u, and of a thin stone only n_r tells one angle from another.
   const T size2 = scalar::sq(a) + scalar::sq(b);
   const T m = sign * (arc.u_a * a + arc.u_b * b);
-  if (!(T(0) <= m && scalar::sq(stone.joint_sine) * size2 <= scalar::sq(m))) {
+  const T radial2 = scalar::sq(T(arc.p_a * arc.u_b - arc.p_b * arc.u_a)) + size2 * scalar::sq(arc.u_out);
+  if (!(T(0) <= m && radial2 * scalar::sq(stone.joint_sine) <= scalar::sq(T(m * stone.joint_cosine)))) {
     return false;
   }
   reach = scalar::sqrt(size2);
   a = a / reach;
   b = b / reach;
   return true;
+}
+
+/// The separation reach − r there, without that difference: of thin stones the two are large.
+/// reach² − r² = p² + 2 d p · u − d² u_out² − (r − d)(r + d), across the edge, u along the cap.
+template <Ordered T>
+[[nodiscard]] T cap_value(const Stone<T>& stone, const Arc<T>& arc, const T& sign, const T& reach) {
+  const T& d = stone.sphere_offset;
+  const T along = arc.p_a * arc.u_a + arc.p_b * arc.u_b;
+  const T square = scalar::sq(arc.p_a) + scalar::sq(arc.p_b) + T(2) * sign * d * along - scalar::sq(T(d * arc.u_out)) -
+                   stone.height / T(2) * (stone.sphere_radius + d);
+  return square / (reach + stone.sphere_radius);
 }
 
 /// The normal that divides the chord of two others.
@@ -89,12 +101,13 @@ template <Ordered T>
 
 /// Whether Newton's method may stop after a step: what a step leaves is, where it converges, step³/previous², and that is
 /// to be nothing beside what a normal is good for. Where the curvature changes fast (a sharp rim that touches), steps do
-/// not shrink by their squares, and it goes on. So it does where a step may cross the joint: the curvature jumps there.
+/// not shrink by their squares, and it goes on. So it does where a step may cross the joint, unless nothing is left to
+/// gain: beyond the joint the curvature is another, and so is the step.
 template <Ordered T>
 [[nodiscard]] bool leaves_nothing(const Stone<T>& stone, const ArcPoint<T>& at, const T& step2, const T& previous2) {
   const T epsilon = std::numeric_limits<T>::epsilon();
   const T to_joint = (at.axial < T(0) ? T(-at.axial) : at.axial) - stone.joint_sine;
-  if (scalar::sq(to_joint) <= step2 && epsilon < T(1024) * step2) {
+  if (scalar::sq(to_joint) <= step2 && scalar::sq(T(epsilon * outer_width(stone))) < scalar::sq(at.slope)) {
     return false;
   }
   return step2 <= T(4096) * epsilon && step2 * scalar::sq(step2) <= scalar::sq(T(T(256) * epsilon * previous2));
@@ -189,7 +202,7 @@ template <Ordered T>
     if (has_cap_maximum(stone, arc, sign, a, b, reach) && stone.core_sphere_radius < reach) {
       found = {.a = a,
                .b = b,
-               .value = reach - stone.sphere_radius,
+               .value = cap_value(stone, arc, sign, reach),
                .slope = T(0),
                .curvature = reach,
                .axial = arc.u_a * a + arc.u_b * b,

@@ -65,7 +65,7 @@ class PlaneBatch {
   /// The gap of every stone   [m], as `separation` gives it.
   ///
   /// Domain  a unit normal, a finite offset, room for `size()` gaps; else InvalidArgument.
-  /// Error   as `separation`'s. The last bits differ: Eigen adds up three products in an order of its own.
+  /// Error   as `separation`'s. The last bits differ: a batch adds up its three products in another order.
   void gaps(const Plane<T>& plane, std::span<T> gaps) const {
     detail::require_direction(plane.n_W);
     require(scalar::is_finite(plane.offset), "offset", plane.offset, "must be finite");

@@ -12,6 +12,7 @@
 #include <goishi/shape/stone.hpp>
 #include <goishi/shape/surface.hpp>
 #include <goishi/vector.hpp>
+#include <limits>
 #include <string_view>
 
 namespace goishi {
@@ -72,11 +73,64 @@ struct Placed {
 };
 
 template <Ordered T>
-[[nodiscard]] Placed<T> place(const Stone<T>& stone, const Pose<T>& pose) {
+void require_stone(const Stone<T>& stone) {
   require(T(0) < stone.height, "stone", stone.height, "must be one of make_stone (its height is shown)");
+}
+
+template <Ordered T>
+[[nodiscard]] Placed<T> place(const Stone<T>& stone, const Pose<T>& pose) {
+  require_stone(stone);
   require_point(pose.p_WB, "position");
   require_unit(pose.q_WB);
   return {.stone = stone, .p_W = pose.p_WB, .u_W = formula::symmetry_axis(formula::reunited(pose.q_WB))};
+}
+
+/// 2^e.
+template <class T>
+[[nodiscard]] constexpr T two_to(int e) {
+  T result(1), factor = e < 0 ? T(T(1) / T(2)) : T(2);
+  for (int left = e < 0 ? -e : e; left > 0; left /= 2) {
+    result = left % 2 == 0 ? result : T(result * factor);
+    factor = left == 1 ? factor : T(factor * factor);  // or it would overflow
+  }
+  return result;
+}
+
+/// The lengths that searches of normals may be made of: their squares neither overflow nor lose what round-off leaves of
+/// them. Others are scaled by a power of two before.
+template <class T>
+struct Squares {
+  static constexpr int high = std::numeric_limits<T>::max_exponent, low = std::numeric_limits<T>::min_exponent;
+  static inline const T most = two_to<T>(high / 2 - 4), least = two_to<T>(low / 2 + std::numeric_limits<T>::digits);
+  static inline const T vanished = two_to<T>(low + 2 * std::numeric_limits<T>::digits);
+  static inline const T smaller = two_to<T>(-(high / 4 * 3)), larger = two_to<T>(high / 4 * 3);
+
+  [[nodiscard]] static bool hold(const T& length) { return least < length && length < most; }
+  /// What brings a length that they do not hold among those that they do.
+  [[nodiscard]] static T factor(const T& length) { return length < T(1) ? larger : smaller; }
+};
+
+/// A stone `factor` times as large.
+template <Ordered T>
+[[nodiscard]] Stone<T> scaled(const T& factor, Stone<T> stone) {
+  for (T* length :
+       {&stone.width, &stone.height, &stone.bevel, &stone.sphere_radius, &stone.sphere_offset,
+        &stone.bevel_major_radius, &stone.bevel_minor_radius, &stone.core_sphere_radius, &stone.joint_radius}) {
+    *length = factor * *length;
+  }
+  return stone;
+}
+
+/// A separation found in a world `factor` times as large, its points seen from `origin`.
+template <Ordered T>
+[[nodiscard]] Separation<T> scaled_back(const T& factor, const Vec3<T>& origin, Separation<T> result) {
+  result.gap = result.gap / factor;
+  if (result.status != SeparationStatus::not_converged) {  // a depth may vanish here
+    result.status = result.gap < T(0) ? SeparationStatus::overlapping : SeparationStatus::separated;
+  }
+  result.p_stone = origin + result.p_stone / factor;
+  result.p_other = origin + result.p_other / factor;
+  return result;
 }
 
 /// A unit normal as a placed stone sees it.
@@ -123,7 +177,7 @@ template <Ordered T>
   return {.x_W = formula::combination(across, seen.radial_part, along, u_W), .feature = cap ? on_cap : Feature::rim};
 }
 
-/// The separation along a unit normal, complete but for `other_feature` and `unique`. `offset` is how far the other body
+/// The separation along a unit normal, complete but for `other_feature` and `certified`. `offset` is how far the other body
 /// reaches in its direction: the greatest n · x over it.
 template <Ordered T>
 [[nodiscard]] Separation<T> separation_along(const Placed<T>& placed, const Vec3<T>& n_W, const T& offset) {

@@ -69,13 +69,46 @@ struct Wobble {
 
 template <Ordered T>
 [[nodiscard]] Wobble<T> wobble(const Stone<T>& stone, const FlightPath<T>& path, const Vec3<T>& n) {
-  const T along = path.k_W.dot(path.u_W) * path.k_W.dot(n);
-  return {&stone, along, path.u_W.dot(n) - along, path.k_W.cross(path.u_W).dot(n), path.rate};
+  const T along = formula::dot(path.k_W, path.u_W) * formula::dot(path.k_W, n);
+  return {&stone, along, T(formula::dot(path.u_W, n) - along), formula::dot(formula::cross(path.k_W, path.u_W), n),
+          path.rate};
 }
 
 template <Ordered T>
 [[nodiscard]] T magnitude_of(const T& x) {
   return x < T(0) ? T(-x) : x;
+}
+
+/// The first time at which H + H' s + c s²/2 is 0, from H > 0, given H'² − 2 c H; infinity if it never is.
+template <Ordered T>
+[[nodiscard]] T falling_time_by(const T& square, const T& height, const T& rate, const T& c) {
+  const T never = std::numeric_limits<T>::infinity();
+  if (square < T(0)) {
+    return never;
+  }
+  const T root = scalar::sqrt(square);
+  if (rate < T(0)) {
+    return T(2) * height / (root - rate);
+  }
+  return c < T(0) ? T((rate + root) / -c) : never;
+}
+
+/// The same of numbers whose squares are lost: in another unit of length.
+template <Ordered T>
+[[gnu::noinline]] [[nodiscard]] T falling_time_of_little(T height, T rate, T c) {
+  if (height < T(1) && magnitude_of(rate) < T(1) && magnitude_of(c) < T(1)) {
+    for (T* length : {&height, &rate, &c}) {
+      *length = Squares<T>::larger * *length;
+    }
+  }
+  return falling_time_by(T(scalar::sq(rate) - T(2) * c * height), height, rate, c);
+}
+
+template <Ordered T>
+[[gnu::always_inline]] [[nodiscard]] inline T falling_time(const T& height, const T& rate, const T& c) {
+  const T square = scalar::sq(rate) - T(2) * c * height;
+  return magnitude_of(square) < Squares<T>::vanished ? falling_time_of_little(height, rate, c)
+                                                     : falling_time_by(square, height, rate, c);
 }
 
 /// The gap along a fixed normal as a function of time: H(t) = c₀ + c₁ t + c₂ t²/2 − Σ S(u(t)).
@@ -105,33 +138,25 @@ class GapAlong {
       const T c = scalar::cos(angle), s = scalar::sin(angle);
       const T u = part.A + part.B * c + part.C * s;
       const T u_rate = part.rate * (part.C * c - part.B * s);
-      value.gap = value.gap - support_at(*part.stone, u);
-      value.rate = value.rate - support_slope(*part.stone, u) * u_rate;
+      const Direction<T> n = seen(u);
+      const bool cap = meets_cap(*part.stone, n);
+      const T& d = part.stone->sphere_offset;
+      value.gap = value.gap - (cap ? formula::cap_support(*part.stone, n.axial, n.radial_square)
+                                   : formula::rim_support(*part.stone, n.radial));
+      // S' = −d on the cap, −r₁ u/n_r on the rim.
+      value.rate =
+          value.rate + (cap ? (u < T(0) ? T(-d) : d) : T(part.stone->bevel_major_radius * u / n.radial)) * u_rate;
     }
     return value;
   }
 
   [[nodiscard]] const T& bend() const { return bend_; }
 
-  /// The next time, from t, at which the centres are so near that the bodies could touch: t itself, or when the parabola
-  /// comes down to the highest support that the wobbles reach; infinity when it does not.
-  [[nodiscard]] T within_reach(const T& t) const {
-    const T over = c0_ + t * (c1_ + t * c2_ / T(2)) - highest_;
-    if (!(T(0) < over)) {
-      return t;
-    }
-    const T rate = c1_ + t * c2_;
-    const T root2 = scalar::sq(rate) - T(2) * c2_ * over;
-    const T never = std::numeric_limits<T>::infinity();
-    if (root2 < T(0)) {
-      return never;
-    }
-    // over + rate s + c₂ s²/2 = 0, the first s > 0.
-    const T root = scalar::sqrt(root2);
-    if (rate < T(0)) {
-      return t + T(2) * over / (root - rate);
-    }
-    return c2_ < T(0) ? T(t + (rate + root) / (-c2_)) : never;
+  /// The next time, from t, at which the centres are so near that the bodies could touch, to `nothing`: t itself, or when
+  /// the parabola comes down to the highest support that the wobbles reach; infinity when it does not.
+  [[nodiscard]] T within_reach(const T& t, const T& nothing) const {
+    const T over = c0_ + t * (c1_ + t * c2_ / T(2)) - (highest_ + nothing);
+    return T(0) < over ? T(t + falling_time(over, T(c1_ + t * c2_), c2_)) : t;
   }
 
  private:
@@ -142,11 +167,6 @@ class GapAlong {
     return {.axial = m, .radial = scalar::sqrt(safe), .radial_square = safe};
   }
   [[nodiscard]] static T support_at(const Stone<T>& stone, const T& u) { return support_value(stone, seen(u)); }
-  [[nodiscard]] static T support_slope(const Stone<T>& stone, const T& u) {
-    const Direction<T> n = seen(u);
-    return meets_cap(stone, n) ? T(u < T(0) ? stone.sphere_offset : T(-stone.sphere_offset))
-                               : T(-(stone.bevel_major_radius * u / n.radial));
-  }
 
   T c0_, c1_, c2_;
   T bend_ = T(0), highest_ = T(0);
@@ -154,17 +174,11 @@ class GapAlong {
   int count_ = 0;
 };
 
-/// The longest step that cannot jump over a root, from H >= 0: the root of H + H' s − M s²/2.
+/// The longest step that cannot jump over a root, from H >= 0: the first root of H + H' s − M s²/2, M the `bend`; from
+/// H = 0 and H' > 0 the one after.
 template <Ordered T>
 [[nodiscard]] T safe_step(const T& gap, const T& rate, const T& bend) {
-  if (!(T(0) < bend)) {
-    return rate < T(0) ? T(gap / -rate) : std::numeric_limits<T>::infinity();
-  }
-  const T root = scalar::sqrt(T(scalar::sq(rate) + T(2) * bend * gap));
-  if (rate < T(0)) {
-    return T(2) * gap / (root - rate);
-  }
-  return (rate + root) / bend;
+  return falling_time(gap, rate, T(-bend));
 }
 
 /// How the search for a root ended.
@@ -175,40 +189,91 @@ struct RootSearch {
   int steps;
 };
 
-/// The first root of the gap along one normal, from `start`, where it is not negative.
+/// What counts as nothing: of a gap [m] and of its rate [m/s], their round-off.
+template <class T>
+struct RoundOff {
+  T gap, rate;
+
+  /// Whether the bodies touch, and not because they are about to part.
+  [[nodiscard]] bool touches(const typename GapAlong<T>::Value& now) const {
+    return now.gap <= gap && now.rate <= rate;
+  }
+};
+
+/// A hit at t; of a gap that T cannot hold, at a time so late, only that nothing touches until the step before.
 template <Ordered T>
-[[nodiscard]] RootSearch<T> first_root(const GapAlong<T>& gap, const T& start, const T& horizon) {
-  constexpr int most_steps = 1000000;
-  T t = start;
+[[nodiscard]] RootSearch<T> hit_or_lost(const typename GapAlong<T>::Value& now, const T& t, const T& sure, int steps) {
+  return scalar::is_finite(now.gap) ? RootSearch<T>{ImpactStatus::hit, t, steps}
+                                    : RootSearch<T>{ImpactStatus::not_converged, sure, steps};
+}
+
+/// The first time, from `start`, at which the gap along one normal is zero and does not open: a root; the start, if the
+/// bodies touch there; or where the gap comes down to round-off and opens again. At the start it is not below round-off.
+template <Ordered T>
+[[nodiscard]] RootSearch<T> first_root(const GapAlong<T>& gap, const T& start, const T& horizon,
+                                       const RoundOff<T>& nothing, int most_steps) {
+  T t = start, touch = start;
+  bool touched = false;
   for (int steps = 1; steps <= most_steps; ++steps) {
-    t = gap.within_reach(t);
+    const T sure = t;
+    t = gap.within_reach(t, nothing.gap);
     if (!(t <= horizon) || !scalar::is_finite(t)) {
-      return {ImpactStatus::none, horizon, steps};
+      return {touched ? ImpactStatus::hit : ImpactStatus::none, touched ? touch : horizon, steps};
     }
     const typename GapAlong<T>::Value now = gap(t);
-    const bool touching = !(T(0) < now.gap);
-    // On the surface and leaving it: the step is what it takes for the gap to come back at the earliest.
-    if (touching && now.rate <= T(0)) {
-      return {ImpactStatus::hit, t, steps};
+    if (nothing.touches(now)) {
+      if (!(T(0) < now.gap) || !(start < t)) {
+        return hit_or_lost(now, t, sure, steps);
+      }
+      touched = true;
+      touch = t;
+    } else if (touched) {
+      return {ImpactStatus::hit, touch, steps};
     }
-    const T step = safe_step(touching ? T(0) : now.gap, now.rate, gap.bend());
+    // On the surface and leaving it: the step is what it takes for the gap to come back at the earliest.
+    const T step = safe_step(T(0) < now.gap ? now.gap : T(0), now.rate, gap.bend());
     const T next = t + step;
     if (!(t < next)) {
-      return {ImpactStatus::hit, t, steps};
+      return hit_or_lost(now, t, sure, steps);
     }
     t = next;
   }
   return {ImpactStatus::not_converged, t, most_steps};
 }
 
+/// |x| + |y| + |z|.
 template <Ordered T>
-void require_path(const FlightPath<T>& path) {
-  require_point(path.p_W, "position");
-  require_point(path.v_W, "velocity");
-  require_point(path.a_W, "acceleration");
+[[nodiscard]] T size_of(const Vec3<T>& v) {
+  return magnitude_of(T(v.x())) + magnitude_of(T(v.y())) + magnitude_of(T(v.z()));
+}
+
+/// Says what is wrong with a path that `require_path` does not take.
+template <Ordered T>
+[[noreturn]] void refuse_path(const Stone<T>& stone, const FlightPath<T>& path) {
+  const auto require_square = [](const Vec3<T>& v, const char* argument) {
+    require(size_of(v) < Squares<T>::most, argument, v.transpose(),
+            "must be finite, and so must the square of 16 times it");
+  };
+  require_square(path.p_W, "position");
+  require_square(path.v_W, "velocity");
+  require_square(path.a_W, "acceleration");
+  require(stone.sphere_radius < Squares<T>::most, "stone", stone.sphere_radius,
+          "must have a sphere radius whose square is finite (the radius is shown)");
+  throw_invalid("rate", path.rate, "must be finite, and so must 256 r² Ω⁴, r the radius of the stone's sphere");
+}
+
+/// Refuses a flight of numbers whose squares T cannot hold: from √max/16 on.
+template <Ordered T>
+void require_path(const Stone<T>& stone, const FlightPath<T>& path) {
+  const T& most = Squares<T>::most;
+  const T& r = stone.sphere_radius;
+  require_stone(stone);
+  if (!(size_of(path.p_W) < most && size_of(path.v_W) < most && size_of(path.a_W) < most && r < most &&
+        r * scalar::sq(path.rate) < most)) [[unlikely]] {
+    refuse_path(stone, path);
+  }
   require_direction(path.u_W, "axis");
   require_direction(path.k_W, "precession axis");
-  require(scalar::is_finite(path.rate), "rate", path.rate, "must be finite");
 }
 
 template <Ordered T>

@@ -106,7 +106,9 @@ class Octant {
     const bool cap = rim.beyond * stone_.sphere_offset <= stone_.bevel_major_radius * upwards * rim.height;
     const Vec3<T> away = cap ? formula::plus(p_, T(upwards * stone_.sphere_offset), u_) : rim.away;
     const T reach = scalar::sqrt(formula::dot(away, away));
-    const T core = cap ? T(reach - stone_.core_sphere_radius) : reach;
+    const T core = cap ? formula::core_sphere_distance(stone_, T(rim.beyond + stone_.bevel_major_radius),
+                                                       T(upwards * rim.height), reach)
+                       : reach;
     if (is_inside(away) && T(0) < core) {
       try_normal(away / reach, best);
       // Primal and dual: of a distance that is round-off, the direction is, too.

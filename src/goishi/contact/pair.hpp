@@ -62,17 +62,22 @@ void take_core_support(const Placed<T>& placed, const Vec3<T>& n, PairSide<T>& s
   z = z - (across * radial.z() + along * placed.u_W.z());
 }
 
-/// Fills in what a pair looks like along the unit vector `at.n`.
+/// Fills in what a pair looks like along the unit vector `at.n`, but for the slope.
 template <Ordered T>
-void look_along(const Pair<T>& pair, PairPoint<T>& at) {
+void meet_along(const Pair<T>& pair, PairPoint<T>& at) {
   const Vec3<T>& n = at.n;
   T x = pair.between.x(), y = pair.between.y(), z = pair.between.z();
   take_core_support(pair.first, n, at.first, x, y, z);
   take_core_support(pair.second, n, at.second, x, y, z);
   at.w = {x, y, z};
   at.g = x * n.x() + y * n.y() + z * n.z();
-  at.slope = scalar::sqrt(
-      T(scalar::sq(T(x - at.g * n.x())) + scalar::sq(T(y - at.g * n.y())) + scalar::sq(T(z - at.g * n.z()))));
+}
+
+template <Ordered T>
+void look_along(const Pair<T>& pair, PairPoint<T>& at) {
+  meet_along(pair, at);
+  const Vec3<T> along = formula::plus(at.w, T(-at.g), at.n);
+  at.slope = scalar::sqrt(formula::dot(along, along));
 }
 
 template <Ordered T>

@@ -16,6 +16,14 @@
 
 namespace goishi::detail {
 
+/// A unit vector across another.
+template <Ordered T>
+[[nodiscard]] Vec3<T> across(const Vec3<T>& u) {
+  const bool steep = scalar::sq(u.x()) < scalar::sq(u.z());
+  const Vec3<T> e = steep ? Vec3<T>(T(0), u.z(), T(-u.y())) : Vec3<T>(u.y(), T(-u.x()), T(0));
+  return formula::scaled(T(T(1) / scalar::sqrt(formula::dot(e, e))), e);
+}
+
 template <Ordered T>
 class RimSearch {
  public:
@@ -26,14 +34,11 @@ class RimSearch {
         c2_(pair.second.stone.bevel_major_radius),
         swing_(c1_ * scalar::sqrt(formula::dot(pair.between, pair.between))) {
     const Vec3<T>& u = pair.first.u_W;
-    const bool steep = scalar::sq(u.x()) < scalar::sq(u.z());
-    const Vec3<T> e = steep ? Vec3<T>(T(0), u.z(), T(-u.y())) : Vec3<T>(u.y(), T(-u.x()), T(0));
-    const T over = T(1) / scalar::sqrt(formula::dot(e, e));
-    e_ = {T(over * e.x()), T(over * e.y()), T(over * e.z())};
+    e_ = across(u);
     f_ = u.cross(e_);
-    const Vec3<T> across = u.cross(pair.second.u_W);
+    const Vec3<T> both = u.cross(pair.second.u_W);
     const T &R1 = pair.first.stone.core_sphere_radius, &R2 = pair.second.stone.core_sphere_radius;
-    deepest_ = (R1 < R2 ? R1 : R2) * formula::dot(across, across) * scalar::sq(T(R1 * R2 / (c1_ * c2_)));
+    deepest_ = (R1 < R2 ? R1 : R2) * formula::dot(both, both) * scalar::sq(T(R1 * R2 / (c1_ * c2_)));
     small_ = T(16) * std::numeric_limits<T>::epsilon() * pair.scale;
   }
 
@@ -44,17 +49,16 @@ class RimSearch {
     if (!rims || deepest_ <= small_) {
       return true;
     }
-    constexpr int parts = 16;
-    const T length = T(2) * scalar::pi<T>() / T(parts);
-    const T c = scalar::cos(length), s = scalar::sin(length);
-    const RimPoint start = at(T(1), T(0));
-    RimPoint low = start;
-    for (int i = 1; i <= parts; ++i) {
-      const RimPoint high = i == parts ? start : at(T(c * low.a - s * low.b), T(s * low.a + c * low.b));
-      search(low, high, length, 0);
-      low = high;
-    }
-    return complete_;
+    apart_ = false;
+    return go_round();
+  }
+
+  /// The same of cores that may be apart, no farther than `limit`: at a local minimum of the circles' distance the normal
+  /// then points the other way.
+  [[nodiscard]] bool run_apart(const T& limit) {
+    apart_ = true;
+    apart_limit_ = limit;
+    return go_round();
   }
 
  private:
@@ -87,10 +91,25 @@ class RimSearch {
             .bend = scalar::sq(c1_) + x_turn - c2_ * rho_bend};
   }
 
+  [[nodiscard]] bool go_round() {
+    constexpr int parts = 16;
+    const T length = T(2) * scalar::pi<T>() / T(parts);
+    const T c = scalar::cos(length), s = scalar::sin(length);
+    const RimPoint start = at(T(1), T(0));
+    RimPoint low = start;
+    for (int i = 1; i <= parts; ++i) {
+      const RimPoint high = i == parts ? start : at(T(c * low.a - s * low.b), T(s * low.a + c * low.b));
+      search(low, high, length, 0);
+      low = high;
+    }
+    return complete_;
+  }
+
   void search(const RimPoint& low, const RimPoint& high, const T& length, int depth) {
     const T limit = -best_.g < deepest_ ? T(-best_.g) : deepest_;
     const T reach = c1_ * length;
-    if (T(2) * (limit - small_) <= low.distance + high.distance - reach || T(2) * c2_ <= low.rho + high.rho - reach) {
+    if (!apart_ &&
+        (T(2) * (limit - small_) <= low.distance + high.distance - reach || T(2) * c2_ <= low.rho + high.rho - reach)) {
       return;
     }
     // A rise of the slope takes its time.
@@ -164,7 +183,8 @@ class RimSearch {
     if (!(T(0) < size)) {
       return;
     }
-    const PairPoint<T> found = pair_point(pair_, Vec3<T>(T(-w.x() / size), T(-w.y() / size), T(-w.z() / size)));
+    const T over = (apart_ ? T(1) : T(-1)) / size;
+    const PairPoint<T> found = pair_point(pair_, Vec3<T>(T(over * w.x()), T(over * w.y()), T(over * w.z())));
     if (best_.g < found.g) {
       best_ = found;
     }
@@ -176,9 +196,9 @@ class RimSearch {
   T swing_;  // c₁ |D|
   Vec3<T> e_, f_;
   T deepest_;
-  T small_;
+  T small_, apart_limit_ = T(0);
   int count_ = 0;
-  bool complete_ = true;
+  bool apart_ = false, complete_ = true;
 };
 
 }  // namespace goishi::detail

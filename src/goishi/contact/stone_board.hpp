@@ -31,56 +31,116 @@ void require_board(const Board<T>& board) {
           "must be one of make_board (its half width is shown)");
 }
 
-/// What a stone's place lets it touch; deep inside the board it may be pushed out through any side.
+/// Whether a side has to be asked that is `distance` from the stone's centre (< 0: the centre is beyond it), where `gap`
+/// is the greatest separation along any normals without it.
+///
+/// g(n) = n · p − S(n) − (the board's reach); n_x >= 0 is a normal's part towards the side, n' the rest of it, S(e) the
+/// stone's support that way. S(n') <= S(n) + n_x S(e), so that g(n) <= g(n') − n_x (distance − S(e)); g(n') <= |n'| gap;
+/// and 1 − |n'| = 1 − √(1 − n_x²) <= n_x. Hence g(n) <= gap wherever distance >= S(e) + max(0, −gap); and S(e) is at most
+/// r₁ + r₂, the stone's `reach`.
 template <Ordered T>
-[[nodiscard]] Needs needs_of(const Placed<T>& placed, const Board<T>& board) {
-  using std::abs;
-  const T reach = outer_width(placed.stone) / T(2);
-  const bool deep = placed.p_W.z() < -(placed.stone.height / T(2));
-  return {.side_x = deep || board.half_width - reach < abs(placed.p_W.x()),
-          .side_y = deep || board.half_length - reach < abs(placed.p_W.y())};
+[[nodiscard]] bool needs_side(const T& distance, const T& reach, const T& gap) {
+  return distance < reach || (gap < T(0) && distance < reach - gap);
 }
 
-/// The normal of the board that separates most, one of its sides being near.
+/// How far inside the near and the far one of two sides something is.
+template <class T>
+struct SideDistances {
+  T near, far;
+};
+
 template <Ordered T>
-[[nodiscard]] OctantMaximum<T> octants_maximum(const Placed<T>& placed, const Board<T>& board, Needs needs) {
+[[nodiscard]] SideDistances<T> side_distances(const T& half, const T& p) {
+  const T size = p < T(0) ? T(-p) : p;
+  return {.near = half - size, .far = half + size};
+}
+
+/// The normal of the board that separates most, where a side is needed. `gap` is that of some normal, or below it. The
+/// near sides are asked first: then the far ones are seldom needed.
+template <Ordered T>
+[[nodiscard]] OctantMaximum<T> octants_maximum(const Placed<T>& placed, const Board<T>& board, const T& reach, T gap) {
+  const Vec3<T>& p_W = placed.p_W;
+  const SideDistances<T> x = side_distances(board.half_width, T(p_W.x()));
+  const SideDistances<T> y = side_distances(board.half_length, T(p_W.y()));
+  const Needs needs{.side_x = needs_side(x.near, reach, gap), .side_y = needs_side(y.near, reach, gap)};
   OctantMaximum<T> best;
-  const T reach = outer_width(placed.stone) / T(2);
-  const bool left = placed.p_W.x() < T(0), bottom = placed.p_W.y() < T(0);
-  // The near sides; the far ones too where the stone's centre is nearly as close to them.
-  const int signs_x = needs.side_x && (left ? T(-placed.p_W.x()) : placed.p_W.x()) < reach ? 2 : 1;
-  const int signs_y = needs.side_y && (bottom ? T(-placed.p_W.y()) : placed.p_W.y()) < reach ? 2 : 1;
-  for (int i = 0; i < signs_x; ++i) {
-    for (int j = 0; j < signs_y; ++j) {
-      const T sign_x = left == (i == 0) ? T(-1) : T(1), sign_y = bottom == (j == 0) ? T(-1) : T(1);
-      const Vec3<T> p(T(sign_x * placed.p_W.x() - board.half_width), T(sign_y * placed.p_W.y() - board.half_length),
-                      placed.p_W.z());
-      const Vec3<T> u(T(sign_x * placed.u_W.x()), T(sign_y * placed.u_W.y()), placed.u_W.z());
-      const OctantMaximum<T> found = Octant<T>(placed.stone, p, u).maximum(needs);
-      best.certified = best.certified && found.certified;
-      if (best.value < found.value) {
-        best.value = found.value;
-        best.n = {T(sign_x * found.n.x()), T(sign_y * found.n.y()), found.n.z()};
-      }
+  const auto ask = [&](bool far_x, bool far_y) {
+    const T sign_x = (p_W.x() < T(0)) == far_x ? T(1) : T(-1), sign_y = (p_W.y() < T(0)) == far_y ? T(1) : T(-1);
+    const Vec3<T> p(T(sign_x * p_W.x() - board.half_width), T(sign_y * p_W.y() - board.half_length), p_W.z());
+    const Vec3<T> u(T(sign_x * placed.u_W.x()), T(sign_y * placed.u_W.y()), placed.u_W.z());
+    const OctantMaximum<T> found = Octant<T>(placed.stone, p, u).maximum(needs);
+    best.certified = best.certified && found.certified;
+    if (best.value < found.value) {
+      best.value = found.value;
+      best.n = {T(sign_x * found.n.x()), T(sign_y * found.n.y()), found.n.z()};
     }
+  };
+  ask(false, false);
+  gap = best.value;
+  const bool far_x = needs.side_x && needs_side(x.far, reach, gap),
+             far_y = needs.side_y && needs_side(y.far, reach, gap);
+  if (far_x) {
+    ask(true, false);
+  }
+  if (far_y) {
+    ask(false, true);
+  }
+  if (far_x && far_y) {
+    ask(true, true);
   }
   return best;
 }
 
+/// Where a side is needed.
 template <Ordered T>
-[[nodiscard]] Separation<T> separation(const Placed<T>& placed, const Board<T>& board) {
-  Vec3<T> n(T(0), T(0), T(1));
-  bool certified = true;
-  const Needs needs = needs_of(placed, board);
-  if (needs.side_x || needs.side_y) {
-    const OctantMaximum<T> best = octants_maximum(placed, board, needs);
-    n = best.n;
-    certified = best.certified;
-  }
+[[nodiscard]] Separation<T> separation_with_sides(const Placed<T>& placed, const Board<T>& board, const T& reach,
+                                                  const T& gap) {
+  const OctantMaximum<T> best = octants_maximum(placed, board, reach, gap);
+  const Vec3<T>& n = best.n;
   Separation<T> result = separation_along(placed, n, reach_of(board, n));
   result.other_feature = board_feature(n.x() < T(0) || T(0) < n.x(), n.y() < T(0) || T(0) < n.y(), T(0) < n.z());
-  result.certified = certified;
+  result.certified = best.certified;
   return result;
+}
+
+template <Ordered T>
+[[nodiscard]] Separation<T> separation(const Placed<T>& placed, const Board<T>& board) {
+  const T reach = outer_width(placed.stone) / T(2);
+  const T x = side_distances(board.half_width, T(placed.p_W.x())).near;
+  const T y = side_distances(board.half_length, T(placed.p_W.y())).near;
+  const T nearest = x < y ? x : y, other = x < y ? y : x;
+  const Vec3<T> up(T(0), T(0), T(1));
+  // The surface's gap is at least this, which mostly settles what is needed.
+  T gap = placed.p_W.z() - reach;
+  if (!needs_side(nearest, reach, gap)) {
+    return separation_along(placed, up, T(0));
+  }
+  if (!(nearest < reach) || (!(other < reach) && needs_side(other, reach, gap))) {
+    const auto support_along = [&](const Vec3<T>& n) {
+      return support_value(placed.stone, see<T>(placed.u_W, n).direction);
+    };
+    const T surface = placed.p_W.z() - support_along(up);
+    const T side = -nearest - support_along(x < y ? Vec3<T>(T(1), T(0), T(0)) : Vec3<T>(T(0), T(1), T(0)));
+    gap = surface < side ? side : surface;
+    if (!needs_side(nearest, reach, gap)) {
+      return separation_along(placed, up, T(0));
+    }
+  }
+  const auto size_of = [](const T& v) { return v < T(0) ? T(-v) : v; };
+  const T size = board.half_width + board.half_length + placed.stone.sphere_radius + size_of(T(placed.p_W.x())) +
+                 size_of(T(placed.p_W.y())) + size_of(T(placed.p_W.z()));
+  if (Squares<T>::hold(size)) [[likely]] {
+    return separation_with_sides(placed, board, reach, gap);
+  }
+  // In a world of another size.
+  const T factor = Squares<T>::factor(size);
+  const Stone<T> stone = scaled(factor, placed.stone);
+  Board<T> wood = board;
+  wood.half_width = factor * board.half_width;
+  wood.half_length = factor * board.half_length;
+  return scaled_back(factor, Vec3<T>(Vec3<T>::Zero()),
+                     separation_with_sides(Placed<T>{stone, Vec3<T>(factor * placed.p_W), placed.u_W}, wood,
+                                           T(factor * reach), T(factor * gap)));
 }
 
 }  // namespace detail
@@ -88,10 +148,11 @@ template <Ordered T>
 /// Separation of a stone and the board.
 ///
 /// Domain  a finite pose with a unit attitude, a board of `make_board`; else InvalidArgument. A stone inside the board is
-///         ordinary: the shortest way out.
-/// Error   gap within 1e-13 of the width (claims CONTACT-2, CONTACT-3).
-/// Cost    the region decides: over the middle of the surface one support; near an edge one search over a quarter circle;
-///         near a corner three and the corner.
+///         ordinary: the shortest way out. So are lengths of any magnitude (claim DOMAIN-CONTACT-2).
+/// Error   gap within 1e-13 of the width (claims CONTACT-2, CONTACT-3), and as a distance at the board's own: 4 ε of the
+///         board and of where the stone is.
+/// Cost    what is near decides: over the middle of the surface one support; near an edge one search over a quarter circle;
+///         near a corner three and the corner. A stone that is deep asks all sides that may be the shortest way out.
 template <Ordered T>
 [[nodiscard]] Separation<T> separation(const Stone<T>& stone, const Pose<T>& pose, const Board<T>& board) {
   detail::require_board(board);

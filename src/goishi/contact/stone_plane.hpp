@@ -31,19 +31,22 @@ template <Field T>
 
 /// Separation of a stone and a plane.
 ///
-/// Domain  a finite pose with a unit attitude, a unit normal, a finite offset; else InvalidArgument.
+/// Domain  a finite pose with a unit attitude, a unit normal, a finite offset, a gap that T can hold; else InvalidArgument.
 /// Error   gap within 1e-15 of the greater of width and distance (claim CONTACT-1).
 template <Ordered T>
 [[nodiscard]] Separation<T> separation(const Stone<T>& stone, const Pose<T>& pose, const Plane<T>& plane) {
   detail::require_direction(plane.n_W);
-  require(scalar::is_finite(plane.offset), "offset", plane.offset, "must be finite");
-  return detail::separation_along(detail::place(stone, pose), plane.n_W, plane.offset);
+  const Separation<T> result = detail::separation_along(detail::place(stone, pose), plane.n_W, plane.offset);
+  require(scalar::is_finite(result.gap), "offset", plane.offset, "must be finite, and so must the gap");
+  return result;
 }
 
 /// Only the gap to the playing surface z = 0: what a scene with many stones asks first.
-/// Domain  as above.
+/// Domain  a finite pose with a unit attitude, a stone of `make_stone`; else InvalidArgument.
+/// Error   as above, and |q|² − 1 of the width: the attitude is taken as it is.
 template <Ordered T>
 [[nodiscard]] T surface_gap(const Stone<T>& stone, const Pose<T>& pose) {
+  detail::require_stone(stone);
   detail::require_point(pose.p_WB, "position");
   require_unit(pose.q_WB);
   const Quat<T> q = pose.q_WB;

@@ -16,9 +16,74 @@ namespace goishi {
 
 namespace detail {
 
-/// Finds the normal that separates most.
+/// How far inside a core a point is, times its height and its distance from the sphere's other side: > 0 inside.
 template <Ordered T>
-[[nodiscard]] SeparationStatus find_maximum(const Pair<T>& pair, PairPoint<T>& best, bool& certified) {
+[[nodiscard]] T inside_core(const Placed<T>& placed, const Vec3<T>& p_W) {
+  const Vec3<T> v = formula::minus(p_W, placed.p_W);
+  const T signed_height = formula::dot(v, placed.u_W);
+  const Vec3<T> radial = formula::plus(v, T(-signed_height), placed.u_W);
+  const T height = signed_height < T(0) ? T(-signed_height) : signed_height;
+  return scalar::sq(placed.stone.bevel_major_radius) - formula::dot(radial, radial) -
+         height * (height + T(2) * placed.stone.sphere_offset);
+}
+
+/// A point of both the discs in the rims of two cores, seen from the second stone's centre; false if there is none. On the
+/// line in both their planes each disc has a chord: the middle of what the chords share.
+template <Ordered T>
+[[nodiscard]] bool find_disc_crossing(const Pair<T>& pair, Vec3<T>& x) {
+  const Vec3<T>&u1 = pair.first.u_W, &u2 = pair.second.u_W;
+  const Vec3<T> t = formula::cross(u1, u2);
+  const T sine2 = formula::dot(t, t), height = formula::dot(u1, pair.between);
+  x = formula::scaled(T(height / sine2), formula::plus(u1, T(-formula::dot(u1, u2)), u2));  // of the line, nearest to 0
+  const T along = formula::dot(t, pair.between) / sine2;
+  const Vec3<T> to_first = formula::minus(formula::plus(x, along, t), pair.between);
+  const T half1 = scalar::sq(pair.first.stone.bevel_major_radius) - formula::dot(to_first, to_first);
+  const T half2 = scalar::sq(pair.second.stone.bevel_major_radius) - formula::dot(x, x);
+  if (!(T(0) < half1 && T(0) < half2)) {
+    return false;
+  }
+  const T chord1 = scalar::sqrt(T(half1 / sine2)), chord2 = scalar::sqrt(T(half2 / sine2));
+  const T low = along - chord1 < -chord2 ? T(-chord2) : T(along - chord1);
+  const T high = along + chord1 < chord2 ? T(along + chord1) : chord2;
+  x = formula::plus(x, T((low + high) / T(2)), t);
+  return low < high;
+}
+
+/// Whether the cores overlap for sure: the middle between the points that are met along a normal is inside both; or a point
+/// of both their discs; or a point of one's rim is in the other.
+template <Ordered T>
+[[nodiscard]] bool surely_overlap(const Pair<T>& pair, const PairPoint<T>& at) {
+  const Placed<T>&first = pair.first, &second = pair.second;
+  const T sure = T(64) * std::numeric_limits<T>::epsilon() * scalar::sq(pair.scale);
+  const auto in_both = [&](const Vec3<T>& x) { return sure < inside_core(first, x) && sure < inside_core(second, x); };
+  const auto point = [&](const Placed<T>& placed, const PairSide<T>& side, const T& sign) {
+    const Vec3<T> x = support_point(placed.stone, placed.u_W, side.seen).x_W;
+    return formula::plus(placed.p_W, sign, formula::plus(x, T(-placed.stone.bevel_minor_radius), at.n));
+  };
+  const Vec3<T> sum = formula::plus(point(first, at.first, T(-1)), point(second, at.second, T(1)));
+  Vec3<T> x;
+  if (in_both(formula::scaled(T(T(1) / T(2)), sum)) ||
+      (find_disc_crossing(pair, x) && in_both(formula::plus(second.p_W, x)))) {
+    return true;
+  }
+  const auto enters = [&](const Placed<T>& rim, const Placed<T>& core) {
+    constexpr int points = 24;
+    const T step = T(2) * scalar::pi<T>() / T(points);
+    const T c = scalar::cos(step), s = scalar::sin(step);
+    Vec3<T> out = across(rim.u_W);
+    bool inside = false;
+    for (int i = 0; i < points && !inside; ++i) {
+      inside = sure < inside_core(core, formula::plus(rim.p_W, rim.stone.bevel_major_radius, out));
+      out = formula::combination(c, out, s, formula::cross(rim.u_W, out));
+    }
+    return inside;
+  };
+  return enters(first, second) || enters(second, first);
+}
+
+/// Finds the normal that separates most; false if it may be another.
+template <Ordered T>
+[[nodiscard]] bool find_maximum(const Pair<T>& pair, PairPoint<T>& best, bool& certified) {
   Vec3<T> along;
   const bool closed = find_apart(pair, along);
   T size2 = formula::dot(along, along);
@@ -32,33 +97,50 @@ template <Ordered T>
   } else {
     best.n = pair.first.u_W;
   }
-  look_along(pair, best);
-  bool stationary = closed || climb(pair, best);
-  if (T(0) < best.g) {
-    // Primal and dual: the distance of the two core points is not less than the separation, nor more.
-    const T tolerance = T(256) * std::numeric_limits<T>::epsilon() * pair.scale;
-    certified = scalar::sqrt(formula::dot(best.w, best.w)) - best.g <= tolerance;
+  bool stationary = closed;
+  if (closed) {
+    meet_along(pair, best);
   } else {
-    try_caps(pair, best);
-    certified = RimSearch<T>(pair, best).run();
+    look_along(pair, best);
     stationary = climb(pair, best);
   }
-  const T gap = best.g - (pair.first.stone.bevel_minor_radius + pair.second.stone.bevel_minor_radius);
-  return !stationary && !certified ? SeparationStatus::not_converged
-         : gap < T(0)              ? SeparationStatus::overlapping
-                                   : SeparationStatus::separated;
+  // Primal and dual: no normal separates more than the distance of the two core points that are met along this one.
+  const T tolerance = T(256) * std::numeric_limits<T>::epsilon() * pair.scale;
+  const auto distance = [&] { return scalar::sqrt(formula::dot(best.w, best.w)); };
+  const T farthest = distance();
+  certified = farthest - best.g <= tolerance;
+  if (!certified && !(T(0) < best.g)) {
+    // Of cores that are apart, a climb may have ended on a lower hill.
+    const bool overlap = surely_overlap(pair, best);
+    try_caps(pair, best);
+    RimSearch<T> rims(pair, best);
+    certified = overlap || T(0) < best.g || rims.run_apart(farthest);
+    if (!(T(0) < best.g)) {
+      certified = rims.run() && certified;
+    }
+    stationary = climb(pair, best);
+    if (T(0) < best.g) {
+      certified = distance() - best.g <= tolerance;
+    }
+  }
+  return stationary || certified;
 }
 
 template <Ordered T>
-[[nodiscard]] Separation<T> separation(const Placed<T>& first, const Placed<T>& second) {
-  const Pair<T> pair(first, second);
+[[nodiscard]] Separation<T> separation(const Pair<T>& pair) {
+  const Placed<T>&first = pair.first, &second = pair.second;
   PairPoint<T> best;
   Separation<T> result;
-  result.status = find_maximum(pair, best, result.certified);
+  const bool converged = find_maximum(pair, best, result.certified);
   const Vec3<T>& n = best.n;
   const SupportPoint<T> on_first = support_point(first.stone, first.u_W, best.first.seen);
   const SupportPoint<T> on_second = support_point(second.stone, second.u_W, best.second.seen);
-  result.gap = best.g - (first.stone.bevel_minor_radius + second.stone.bevel_minor_radius);
+  // Not by the points that are met: those of thin stones have round-off of their spheres.
+  result.gap = formula::dot(pair.between, n) - support_value(first.stone, best.first.seen.direction) -
+               support_value(second.stone, best.second.seen.direction);
+  result.status = !converged          ? SeparationStatus::not_converged
+                  : result.gap < T(0) ? SeparationStatus::overlapping
+                                      : SeparationStatus::separated;
   result.n_W = n;
   result.p_stone = formula::minus(first.p_W, on_first.x_W);
   result.p_other = formula::plus(second.p_W, on_second.x_W);
@@ -69,11 +151,26 @@ template <Ordered T>
   return result;
 }
 
+template <Ordered T>
+[[nodiscard]] Separation<T> separation(const Placed<T>& first, const Placed<T>& second) {
+  const Pair<T> pair(first, second);
+  if (Squares<T>::hold(pair.scale)) [[likely]] {
+    return separation(pair);
+  }
+  // Seen from the second stone, in a world of another size.
+  const T factor = Squares<T>::factor(pair.scale);
+  const Stone<T> one = scaled(factor, first.stone), two = scaled(factor, second.stone);
+  const Vec3<T> between = factor * first.p_W - factor * second.p_W;
+  return scaled_back(factor, second.p_W,
+                     separation(Pair<T>({one, between, first.u_W}, {two, Vec3<T>(Vec3<T>::Zero()), second.u_W})));
+}
+
 }  // namespace detail
 
 /// Separation of two stones; n points from the second to the first.
 ///
-/// Domain  finite poses with unit attitudes, else InvalidArgument. Coincident centres are ordinary.
+/// Domain  finite poses with unit attitudes, else InvalidArgument. Coincident centres are ordinary; so are stones and
+///         distances of any magnitude (claim DOMAIN-CONTACT-3).
 /// Certificate  `certified` in the result. Separated, or overlapping by no more than the bevels: the distance of the two
 ///         core points is the separation of the cores (primal = dual). Cores that overlap: every stationary normal was
 ///         looked at; not certified where that takes too many steps (rims that all but touch along their tangents), and the

@@ -93,12 +93,21 @@ void require_bevel(const T& bevel, const T& height) {
   require(!(bevel < T(0)) && bevel < height, "bevel", bevel, "must be at least 0 and below the height (", height, ")");
 }
 
+/// A stone so thin that T does not hold its sphere's radius is refused.
+template <class T, class Wide>
+[[nodiscard]] Stone<T> rounded(const Stone<Wide>& stone) {
+  const Stone<T> result = stone_cast<T>(stone);
+  require(scalar::is_finite(result.sphere_radius), "height", result.height, "must give the caps a finite radius");
+  return result;
+}
+
 }  // namespace detail
 
 /// The talk's stone: a lens of width w and height h, its rim then bevelled with height b. Bevelling shrinks it: the
 /// finished stone is `outer_width` = 2(r₁ + r₂) < w wide.
 ///
-/// Domain  0 < h <= w, 0 <= b < h; else InvalidArgument.   Limits  h = w is the ball, b = 0 the sharp lens: ordinary.
+/// Domain  0 < h <= w, 0 <= b < h, a finite r = (w² + h²)/(4h); else InvalidArgument.   Limits  h = w is the ball, b = 0 the
+///         sharp lens: ordinary.
 /// Error   each field within 1 ulp (float, double) for h/w from 1e-9 to 1, b/h from 1e-12 to 1 − 1e-9 (claims SHAPE-1,
 ///         SHAPE-2).
 template <Ordered T>
@@ -107,14 +116,14 @@ template <Ordered T>
   detail::require_lens("width", width, height);
   detail::require_bevel(bevel, height);
   const Wide w(width), h(height), b(bevel);
-  return stone_cast<T>(T(0) < bevel ? formula::bevelled_stone(w, h, b, formula::sphere_offset(w, h))
-                                    : formula::sharp_stone(w, h));
+  return detail::rounded<T>(T(0) < bevel ? formula::bevelled_stone(w, h, b, formula::sphere_offset(w, h))
+                                         : formula::sharp_stone(w, h));
 }
 
 /// The customer's stone: the *finished* stone is `outer_width` wide and `height` thick, with a bevel band of height b.
 /// `width` of the result is that of the generating lens, which is wider.
 ///
-/// Domain  0 < h <= outer width, 0 <= b < h; else InvalidArgument.
+/// Domain  0 < h <= outer width, 0 <= b < h, a finite r; else InvalidArgument.
 /// Error   each field within 1 ulp (float, double), over the domain of `make_stone` (claim SHAPE-3).
 template <Ordered T>
 [[nodiscard]] Stone<T> make_measured_stone(const T& outer_width, const T& height, const T& bevel) {
@@ -126,7 +135,7 @@ template <Ordered T>
   }
   const Wide h(height), b(bevel);
   const Wide offset = formula::measured_sphere_offset(Wide(outer_width), h, b);
-  return stone_cast<T>(formula::bevelled_stone(formula::generating_width(h, offset), h, b, offset));
+  return detail::rounded<T>(formula::bevelled_stone(formula::generating_width(h, offset), h, b, offset));
 }
 
 /// Diameter of the finished stone   [m]: 2 (r₁ + r₂).

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The surface of a stone, in its own frame B: support, signed distance, closest point, inside, ray. Each is asked of the
-/// core lens and then moved out by r₂, so that sharp and bevelled stones go one path.
+/// The surface of a stone, in its own frame B: support, signed distance, closest point, inside. Each is asked of the core
+/// lens and then moved out by r₂, so that sharp and bevelled stones go one path.
 
 #include <cmath>
 #include <cstdint>

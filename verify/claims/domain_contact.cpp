@@ -1,0 +1,502 @@
+/// DOMAIN-CONTACT: contact queries to the ends of what they are said to take, in float and in double.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cfenv>
+#include <cmath>
+#include <goishi/contact/time_of_impact.hpp>
+
+#include "verify/claims/claims.hpp"
+#include "verify/pose_samples.hpp"
+
+namespace goishi::verify {
+
+namespace {
+
+using Long = long double;
+
+template <class T>
+constexpr Long epsilon = static_cast<Long>(std::numeric_limits<T>::epsilon());
+
+/// The greatest magnitudes, as powers of two: 1e±150 and 1e±18.
+template <class T>
+constexpr int span = std::same_as<T, float> ? 59 : 498;
+
+template <class T>
+Vec3<T> narrow(const Vec3<double>& v) {
+  return v.cast<T>();
+}
+
+/// A stone over a plane, at a board and beside another stone, and how they fly. All of it `factor` times as large as drawn;
+/// factors are powers of two, so that nothing but overflow and underflow can tell one from another.
+template <class T>
+struct Scene {
+  T factor;
+  Stone<T> stone, other;
+  Board<T> board;
+  Pose<T> pose, other_pose;
+  Plane<T> plane;
+  FlightPath<T> path, other_path;
+};
+
+/// The numbers that a scene is made of, so that one can be made of any size.
+struct Drawn {
+  Specimen first, second;
+  Board<double> board;
+  Pose<double> pose, other_pose;
+  Vec3<double> n, v, spin;
+  double rate;
+};
+
+Drawn draw(Context& context, int i) {
+  const Pair pair = draw_pair(context, i);
+  Drawn drawn{pair.first,
+              pair.second,
+              draw_board(context, i / 6),
+              {},
+              {},
+              draw_unit(context),
+              {},
+              draw_unit(context),
+              i % 5 == 0 ? 0.0 : 300.0 * draw_small(context, 3.0)};
+  const bool near_board = i % 2 == 0;
+  drawn.pose = near_board ? draw_board_pose(context, pair.first.stone, drawn.board, i / 2) : pair.pose;
+  drawn.other_pose = pair.other_pose;
+  if (near_board) {
+    drawn.other_pose.p_WB = drawn.pose.p_WB + (pair.other_pose.p_WB - pair.pose.p_WB);
+  }
+  drawn.v = context.uniform(0.0, 2.0) * draw_unit(context);
+  return drawn;
+}
+
+template <class T>
+Scene<T> make_scene(const Drawn& drawn, const T& factor) {
+  const auto length = [&](double x) { return T(factor * static_cast<T>(x)); };
+  const auto stone = [&](const Specimen& specimen) {
+    const ShapeSample<double>& shape = specimen.shape;
+    const T h = static_cast<T>(shape.height);
+    T b = static_cast<T>(shape.bevel);
+    b = b < h ? b : std::nextafter(h, T(0));
+    return make_stone(T(factor * std::max(h, static_cast<T>(shape.width))), T(factor * h), T(factor * b));
+  };
+  const auto pose = [&](const Pose<double>& at) {
+    return Pose<T>{.p_WB = factor * narrow<T>(at.p_WB), .q_WB = at.q_WB.cast<T>().normalized()};
+  };
+  Scene<T> scene{factor, stone(drawn.first), stone(drawn.second), {}, pose(drawn.pose), pose(drawn.other_pose), {}, {},
+                 {}};
+  scene.board = {.lines = drawn.board.lines,
+                 .spacing_x = length(drawn.board.spacing_x),
+                 .spacing_y = length(drawn.board.spacing_y),
+                 .half_width = length(drawn.board.half_width),
+                 .half_length = length(drawn.board.half_length),
+                 .thickness = length(drawn.board.thickness),
+                 .floor = length(drawn.board.floor)};
+  scene.plane = {.n_W = narrow<T>(drawn.n).normalized(), .offset = length(drawn.board.half_width / 3.0)};
+  const auto path = [&](const Pose<T>& at, const Vec3<double>& v) {
+    return FlightPath<T>{.p_W = at.p_WB,
+                         .v_W = factor * narrow<T>(v),
+                         .a_W = factor * Vec3<T>(T(0), T(0), T(-9.8)),
+                         .u_W = formula::symmetry_axis(at.q_WB).normalized(),
+                         .k_W = narrow<T>(drawn.spin).normalized(),
+                         .rate = static_cast<T>(drawn.rate)};
+  };
+  scene.path = path(scene.pose, drawn.v);
+  scene.other_path = path(scene.other_pose, Vec3<double>(-0.5 * drawn.v));
+  return scene;
+}
+
+/// Of what the round-off of a gap is.
+template <class T>
+Long size_of(const Scene<T>& scene) {
+  const auto of = [](const auto& v) { return static_cast<Long>(v.cwiseAbs().maxCoeff()); };
+  return static_cast<Long>(outer_width(scene.stone) + outer_width(scene.other)) + of(scene.pose.p_WB) +
+         of(scene.other_pose.p_WB) + static_cast<Long>(scene.board.half_width + scene.board.half_length);
+}
+
+/// What is wrong with a separation; empty if nothing.
+template <class T>
+std::string defect(const Separation<T>& at) {
+  const auto sum = [](const Vec3<T>& v) { return v.template cast<Long>().sum(); };
+  const Long all = static_cast<Long>(at.gap) + sum(at.n_W) + sum(at.p_stone) + sum(at.p_other);
+  if (!std::isfinite(all)) {
+    return "not finite";
+  }
+  if (!(std::fabs(at.n_W.norm() - T(1)) < T(16) * std::numeric_limits<T>::epsilon())) {
+    return "no unit normal";
+  }
+  if (at.status != SeparationStatus::not_converged && (at.status == SeparationStatus::overlapping) != (at.gap < T(0))) {
+    return "status and gap disagree";
+  }
+  return "";
+}
+
+/// All four gaps of a scene.
+template <class T>
+std::array<Separation<T>, 3> separations(const Scene<T>& scene) {
+  return {separation(scene.stone, scene.pose, scene.plane), separation(scene.stone, scene.pose, scene.board),
+          separation(scene.stone, scene.pose, scene.other, scene.other_pose)};
+}
+
+template <class T>
+Long produced(const Context& context, const Separation<T>& at) {
+  return static_cast<Long>(context.produced(static_cast<double>(at.gap)));
+}
+
+constexpr std::array kinds = {"plane", "board", "pair"};
+
+template <class T>
+std::array<TimeOfImpact<T>, 3> impacts(const Scene<T>& scene, const T& horizon) {
+  return {time_of_impact(scene.stone, scene.path, scene.plane, horizon),
+          time_of_impact(scene.stone, scene.path, scene.board, horizon),
+          time_of_impact(scene.stone, scene.path, scene.other, scene.other_path, horizon)};
+}
+
+constexpr double wrong = 1e9;
+
+/// From where on flights are refused.
+template <class T>
+const Long most_of = std::sqrt(static_cast<Long>(std::numeric_limits<T>::max())) / 16;
+
+/// The greatest number of a flight, of those that are held against that.
+template <class T>
+Long greatest(const Stone<T>& stone, const FlightPath<T>& path) {
+  const auto size = [](const Vec3<T>& v) { return v.template cast<Long>().template lpNorm<1>(); };
+  const Long r = static_cast<Long>(stone.sphere_radius), rate = static_cast<Long>(path.rate);
+  return std::max({size(path.p_W), size(path.v_W), size(path.a_W), r, r * rate * rate});
+}
+
+template <class T>
+void see_magnitudes(Context& context, Worst& worst, int count) {
+  for (int i = 0; i < count; ++i) {
+    const Drawn drawn = draw(context, i);
+    const int e =
+        i % 8 == 0 ? (i % 16 == 0 ? span<T> : -span<T>) : static_cast<int>(context.uniform(-span<T>, span<T>));
+    const T factor = std::ldexp(T(1), e);
+    const Scene<T> usual = make_scene<T>(drawn, T(1)), other = make_scene<T>(drawn, factor);
+    const Long scale = size_of(usual) * epsilon<T>;
+    const auto expected = separations(usual), found = separations(other);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto describe_case = [&] {
+        return fmt::format("{} 2^{} ({}): {}, {}", kinds[k], e, defect(found[k]), describe(drawn.first, drawn.pose),
+                           describe(drawn.second, drawn.other_pose));
+      };
+      const Long off = produced(context, found[k]) / static_cast<Long>(factor) - static_cast<Long>(expected[k].gap);
+      worst.see(defect(found[k]).empty() && found[k].certified == expected[k].certified ? 0.0 : wrong, describe_case);
+      worst.see(static_cast<double>(std::fabs(static_cast<Long>(context.produced(1.0)) - 1 + off / scale)),
+                describe_case);
+    }
+    // Times are the same, where the flight is within what is taken.
+    if (i % 4 != 0 || !(greatest(other.stone, other.path) < most_of<T> / 2) ||
+        !(greatest(other.other, other.other_path) < most_of<T> / 2) ||
+        !(static_cast<Long>(other.board.half_width + other.board.half_length) < most_of<T> / 2)) {
+      continue;
+    }
+    const T horizon = T(1) / T(4);
+    const auto when = impacts(usual, horizon), then = impacts(other, horizon);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double off = std::fabs(static_cast<double>(then[k].time - when[k].time));
+      worst.see(then[k].status == when[k].status && off <= 1e-9 ? 0.0 : wrong, [&] {
+        return fmt::format("time of impact, {} 2^{}: {} at {} for {} at {}; {}, {}", kinds[k], e,
+                           to_string(then[k].status), then[k].time, to_string(when[k].status), when[k].time,
+                           describe(drawn.first, drawn.pose), describe(drawn.second, drawn.other_pose));
+      });
+    }
+  }
+}
+
+template <class T>
+void see_far(Context& context, Worst& worst, int count) {
+  for (int i = 0; i < count; ++i) {
+    Drawn drawn = draw(context, 2 * i + 1);
+    Scene<T> scene = make_scene<T>(drawn, T(1));
+    const T away = std::ldexp(T(1), static_cast<int>(context.uniform(0.0, span<T>)));
+    const Vec3<T> along = i % 4 == 0 ? Vec3<T>(Vec3<T>::Unit(i / 4 % 3)) : narrow<T>(draw_unit(context));
+    scene.pose.p_WB = away * along;
+    scene.other_pose.p_WB = narrow<T>(drawn.other_pose.p_WB);
+    const Vec3<Long> p = scene.pose.p_WB.template cast<Long>();
+    const Long reach = static_cast<Long>(outer_width(scene.stone)) / 2;
+    const Long other_reach = static_cast<Long>(outer_width(scene.other)) / 2;
+    const auto found = separations(scene);
+    const auto beyond = [](Long x) { return std::max(x, Long(0)); };
+    // From the centre to the plane, to the board where it is beside it, to the other centre.
+    const Long X = beyond(std::fabs(p.x()) - static_cast<Long>(scene.board.half_width));
+    const Long Y = beyond(std::fabs(p.y()) - static_cast<Long>(scene.board.half_length));
+    const std::array<Long, 3> distances = {
+        scene.plane.n_W.template cast<Long>().dot(p) - static_cast<Long>(scene.plane.offset),
+        std::sqrt(X * X + Y * Y + beyond(p.z()) * beyond(p.z())),
+        (p - scene.other_pose.p_WB.template cast<Long>()).norm()};
+    const std::array<Long, 3> reaches = {reach, reach, reach + other_reach};
+    const Long scale = (size_of(scene) + p.norm()) * epsilon<T>;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Long gap = produced(context, found[k]);
+      const auto describe_case = [&] {
+        return fmt::format("{} from afar ({}): gap {}, distance {}; {}, {}", kinds[k], defect(found[k]),
+                           static_cast<double>(gap), static_cast<double>(distances[k]),
+                           describe(drawn.first, drawn.pose), describe(drawn.second, drawn.other_pose));
+      };
+      worst.see(defect(found[k]).empty() ? 0.0 : wrong, describe_case);
+      if (k == 1 && !(distances[k] > 0)) {
+        continue;  // inside
+      }
+      worst.see(static_cast<double>(std::max({distances[k] - reaches[k] - gap, gap - distances[k], Long(0)}) / scale),
+                describe_case);
+      worst.see(std::fabs(static_cast<double>(found[k].p_stone.template cast<Long>().dot(along.template cast<Long>()) -
+                                              p.dot(along.template cast<Long>()))) <=
+                        static_cast<double>(2 * reach + 16 * scale)
+                    ? 0.0
+                    : wrong,
+                describe_case);
+    }
+  }
+}
+
+template <class T>
+void see_attitudes(Context& context, Worst& worst, int count) {
+  for (int i = 0; i < count; ++i) {
+    const Drawn drawn = draw(context, i);
+    const Scene<T> unit = make_scene<T>(drawn, T(1));
+    Scene<T> off = unit;
+    const T share = static_cast<T>(i % 2 == 0 ? 60.0 : -60.0) * std::numeric_limits<T>::epsilon();
+    off.pose.q_WB.coeffs() *= std::sqrt(T(1) + share);
+    const auto expected = separations(unit), found = separations(off);
+    const Long scale = size_of(unit) * epsilon<T>;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto describe_case = [&] {
+        return fmt::format("{}, |q|² off by {}: {}, {}", kinds[k], share, describe(drawn.first, drawn.pose),
+                           describe(drawn.second, drawn.other_pose));
+      };
+      if (found[k].certified && expected[k].certified) {
+        worst.see(
+            static_cast<double>(std::fabs(produced(context, found[k]) - static_cast<Long>(expected[k].gap)) / scale),
+            describe_case);
+      }
+      worst.see(defect(found[k]).empty() ? 0.0 : wrong, describe_case);
+    }
+    // Taken as it is: by |q|² − 1 of the width.
+    const T taken = surface_gap(off.stone, off.pose) - surface_gap(unit.stone, unit.pose);
+    worst.see(static_cast<double>(
+                  std::max(std::fabs(static_cast<Long>(taken)) -
+                               std::fabs(static_cast<Long>(share)) * static_cast<Long>(outer_width(unit.stone)),
+                           Long(0)) /
+                  scale),
+              [&] { return "surface_gap: " + describe(drawn.first, drawn.pose); });
+  }
+}
+
+template <class T>
+void see_rounding(Context& context, Worst& worst, int count) {
+  for (int i = 0; i < count; ++i) {
+    const Drawn drawn = draw(context, i);
+    const Scene<T> scene = make_scene<T>(drawn, T(1));
+    const auto expected = separations(scene);
+    const Long unit = size_of(scene) * epsilon<T>;
+    for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+      std::fesetround(mode);
+      const auto found = separations(scene);
+      const auto when = impacts(scene, T(1) / T(8));
+      std::fesetround(FE_TONEAREST);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Long scale = (k == 2 ? 10 : 1) * unit;  // as what is said of their errors
+        const auto describe_case = [&] {
+          return fmt::format("{}, rounding {} ({}): {}, {}", kinds[k], mode, defect(found[k]),
+                             describe(drawn.first, drawn.pose), describe(drawn.second, drawn.other_pose));
+        };
+        worst.see(defect(found[k]).empty() && std::isfinite(when[k].time) ? 0.0 : wrong, describe_case);
+        if (found[k].certified && expected[k].certified) {
+          worst.see(
+              static_cast<double>(std::fabs(produced(context, found[k]) - static_cast<Long>(expected[k].gap)) / scale),
+              describe_case);
+        }
+      }
+    }
+  }
+}
+
+/// Stones of a few hundred of the least numbers: in those.
+template <class T>
+void see_denormals(Context& context, Worst& worst, int count) {
+  const T factor = std::ldexp(T(1), std::numeric_limits<T>::min_exponent + 2);
+  for (int i = 0; i < count; ++i) {
+    const Drawn drawn = draw(context, i);
+    const Scene<T> usual = make_scene<T>(drawn, T(1)), little = make_scene<T>(drawn, factor);
+    const auto expected = separations(usual), found = separations(little);
+    const Long least = static_cast<Long>(std::numeric_limits<T>::denorm_min());
+    const Long radii = static_cast<Long>(usual.stone.sphere_radius / outer_width(usual.stone) +
+                                         usual.other.sphere_radius / outer_width(usual.other));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto describe_case = [&] {
+        return fmt::format("{}, denormal ({}): gap {} for {}; {}, {}", kinds[k], defect(found[k]), found[k].gap,
+                           expected[k].gap, describe(drawn.first, drawn.pose),
+                           describe(drawn.second, drawn.other_pose));
+      };
+      worst.see(defect(found[k]).empty() ? 0.0 : wrong, describe_case);
+      if (found[k].certified && expected[k].certified) {
+        const Long off = produced(context, found[k]) - static_cast<Long>(expected[k].gap) * static_cast<Long>(factor);
+        worst.see(static_cast<double>(std::fabs(off) / ((4 + radii) * least + size_of(little) * epsilon<T>)),
+                  describe_case);
+      }
+    }
+  }
+}
+
+/// Flights whose numbers are of all magnitudes, each for itself: the answer makes sense, or the flight is refused where it
+/// is said to be.
+template <class T>
+void see_flights(Context& context, Worst& worst, int count) {
+  int refused = 0;
+  for (int i = 0; i < count; ++i) {
+    const Drawn drawn = draw(context, 2 * i + 1);
+    Scene<T> scene = make_scene<T>(drawn, T(1));
+    const auto any = [&] { return std::ldexp(T(1), static_cast<int>(context.uniform(-1.1, 1.1) * span<T>)); };
+    scene.path.v_W = (i % 3 == 0 ? T(1) : any()) * narrow<T>(draw_unit(context));
+    scene.path.a_W = (i % 5 == 0 ? T(0) : any()) * narrow<T>(draw_unit(context));
+    scene.path.p_W = (i % 2 == 0 ? T(1) : any()) * narrow<T>(draw_unit(context));
+    scene.path.rate = i % 7 == 0 ? any() : T(10);
+    const Vec3<T> n = scene.plane.n_W;
+    const T horizon = i % 4 == 0 ? std::numeric_limits<T>::infinity() : any();
+    const auto size = [](const Vec3<T>& v) { return static_cast<Long>(v.template lpNorm<1>()); };
+    const bool taken = greatest(scene.stone, scene.path) < most_of<T> * 0.99L;
+    const bool not_taken = greatest(scene.stone, scene.path) > most_of<T> * 1.01L;
+    TimeOfImpact<T> found;
+    const auto describe_case = [&] {
+      return fmt::format("flight, {} at {}, rate {}, |p| {}, |v| {}, |a| {}, horizon {}: {}", to_string(found.status),
+                         found.time, scene.path.rate, scene.path.p_W.norm(), scene.path.v_W.norm(),
+                         scene.path.a_W.norm(), horizon, describe(drawn.first));
+    };
+    try {
+      found = time_of_impact(scene.stone, scene.path, scene.plane, horizon);
+      (void)time_of_impact(scene.stone, scene.path, scene.board, horizon);
+    } catch (const InvalidArgument&) {
+      ++refused;
+      worst.see(taken ? wrong : 0.0, describe_case);
+      continue;
+    }
+    worst.see(not_taken ? wrong : 0.0, describe_case);
+    if (found.status == ImpactStatus::none || found.status == ImpactStatus::overlapping) {
+      const T expected = found.status == ImpactStatus::none ? horizon : T(0);
+      worst.see(found.time == expected ? 0.0 : wrong, describe_case);
+    }
+    if (found.status == ImpactStatus::hit) {
+      worst.see(defect(found.contact).empty() && found.time >= T(0) && found.time <= horizon ? 0.0 : wrong,
+                describe_case);
+    }
+    // The centre is never nearer than half the thickness before, and at a hit no farther than half the width.
+    const auto height = [&](Long t) {
+      const Vec3<Long> p = scene.path.p_W.template cast<Long>(), v = scene.path.v_W.template cast<Long>(),
+                       a = scene.path.a_W.template cast<Long>();
+      const Vec3<Long> m = n.template cast<Long>();
+      return m.dot(p) + t * (m.dot(v) + t / 2 * m.dot(a)) - static_cast<Long>(scene.plane.offset);
+    };
+    const auto noise = [&](Long t) {
+      return epsilon<T> *
+             (8 * size_of(scene) + size(scene.path.p_W) + t * (size(scene.path.v_W) + t * size(scene.path.a_W)) +
+              static_cast<Long>(scene.stone.sphere_radius));
+    };
+    const Long end =
+        std::isfinite(found.time) ? static_cast<Long>(context.produced(static_cast<double>(found.time))) : Long(1e3);
+    if (found.status != ImpactStatus::overlapping) {
+      for (int k = 0; k < 20; ++k) {
+        const Long t = end * k / 20;
+        worst.see(
+            static_cast<double>(std::max(static_cast<Long>(scene.stone.height) / 2 - height(t), Long(0)) / noise(t)),
+            describe_case);
+      }
+    }
+    if (found.status == ImpactStatus::hit) {
+      const Long reach = static_cast<Long>(outer_width(scene.stone)) / 2;
+      worst.see(static_cast<double>(std::max(height(end) - reach, Long(0)) / noise(end)), describe_case);
+    }
+  }
+  worst.see(refused > 0 ? 0.0 : wrong, [] { return "none was refused"; });
+}
+
+template <class See>
+Measurement in_both(Context& context, See&& see) {
+  Worst worst;
+  see(context, worst, float());
+  see(context, worst, double());
+  return worst.measurement();
+}
+
+}  // namespace
+
+std::vector<Claim> domain_contact_claims() {
+  const auto claim = [](const char* id, const char* statement, const char* oracle, OracleFamily family, double bound,
+                        const char* reason, std::vector<Mutant> mutants, std::function<Measurement(Context&)> measure) {
+    return Claim{.id = id,
+                 .statement = statement,
+                 .function = "separation (plane, board, stones), surface_gap, time_of_impact",
+                 .family = family,
+                 .oracle = oracle,
+                 .unit = "ε of float or double, of widths and distances",
+                 .bound = bound,
+                 .reason = reason,
+                 .resolution = 0.25,
+                 .mutants = std::move(mutants),
+                 .measure = std::move(measure)};
+  };
+  return {
+      claim("DOMAIN-CONTACT-1",
+            "A scene that is 1e-150 … 1e150 times as large, 1e-18 … 1e18 in float, has as many times the gaps and the "
+            "same "
+            "times of impact.",
+            "the same scene at its usual size; the factor is a power of two", OracleFamily::metamorphic, 8.0,
+            "a search in another world of another size rounds as it does in this one; points are moved there",
+            {{"contact/stone_stone.hpp", "if (Squares<T>::hold(pair.scale))", "if (true)"}},
+            [](Context& context) {
+              return in_both(context, [](Context& c, Worst& worst, auto t) {
+                see_magnitudes<decltype(t)>(c, worst, c.samples(1500, 20000));
+              });
+            }),
+      claim("DOMAIN-CONTACT-2",
+            "From up to 1e150 away, 1e18 in float, a gap is the distance of the centre less what the stones reach.",
+            "the distances of points", OracleFamily::exact, 8.0, "the roundings of the place, of a product and of sums",
+            {{"contact/contact.hpp", "result.gap / factor", "result.gap"}},
+            [](Context& context) {
+              return in_both(context, [](Context& c, Worst& worst, auto t) {
+                see_far<decltype(t)>(c, worst, c.samples(2000, 20000));
+              });
+            }),
+      claim("DOMAIN-CONTACT-3",
+            "An attitude whose |q|² is off by 60 ε, as much as is taken, changes no gap by more than round-off.",
+            "the same attitude, normalised", OracleFamily::metamorphic, 64.0,
+            "the axis is off by some ε; of two stones ten times as much, as what is said of their error",
+            {{"contact/contact.hpp", "formula::symmetry_axis(formula::reunited(pose.q_WB))",
+              "formula::symmetry_axis(pose.q_WB)"}},
+            [](Context& context) {
+              return in_both(context, [](Context& c, Worst& worst, auto t) {
+                see_attitudes<decltype(t)>(c, worst, c.samples(2000, 20000));
+              });
+            }),
+      claim("DOMAIN-CONTACT-4", "Gaps are right in each rounding mode.", "the gap in the usual one",
+            OracleFamily::metamorphic, 64.0,
+            "as many roundings, all to one side; of two stones ten times as much, as what is said of their error", {},
+            [](Context& context) {
+              return in_both(context, [](Context& c, Worst& worst, auto t) {
+                see_rounding<decltype(t)>(c, worst, c.samples(1000, 10000));
+              });
+            }),
+      claim("DOMAIN-CONTACT-5", "Stones of denormal numbers have the gaps that those leave.",
+            "the same scene at its usual size", OracleFamily::metamorphic, 64.0,
+            "each length is rounded to the least number; of thin stones, their spheres",
+            {{"contact/contact.hpp", "length < T(1) ? larger : smaller", "smaller"}},
+            [](Context& context) {
+              return in_both(context, [](Context& c, Worst& worst, auto t) {
+                see_denormals<decltype(t)>(c, worst, c.samples(1000, 10000));
+              });
+            }),
+      claim("DOMAIN-CONTACT-6",
+            "Flights of numbers of all magnitudes are answered with sense, or refused where they are said to be.",
+            "the parabola of the centre in long double", OracleFamily::independent, 64.0,
+            "the round-off of the parabola at the time",
+            {{"contact/flight_path.hpp", "r * scalar::sq(path.rate) < most", "true"}},
+            [](Context& context) {
+              return in_both(context, [](Context& c, Worst& worst, auto t) {
+                see_flights<decltype(t)>(c, worst, c.samples(4000, 40000));
+              });
+            }),
+  };
+}
+
+}  // namespace goishi::verify
