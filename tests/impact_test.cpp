@@ -291,5 +291,82 @@ TEST(ImpactMemory, NoLawAllocates) {
   EXPECT_LT(sum, 0.0);
 }
 
+/// A stone of 0.1 µm or of 22 km, in every scalar, and the speeds of nothing and of everything: the impact of a stone of 22 mm
+/// at 1 m/s, in its own units.
+TYPED_TEST(ImpactOf, AnySizeAndSpeed) {
+  using T = TypeParam;
+  const auto of = [](ImpactLaw law, T friction, T width, T speed) {
+    const MassProperties<T> body = mass_properties(make_stone<T>(width, T(0.4L) * width), Density<T>{T(2800)});
+    const ImpactBody<T> stone{.mobility = make_mobility(body),
+                              .p_WB = vec<T>(0.3L * width, 0, 0.3L * width),
+                              .u_W = vec<T>(0.6L, 0, 0.8L),
+                              .v_WB = vec<T>(0.1L * speed, 0, -speed),
+                              .L_W = vec<T>(0, 0, 0)};
+    const Impulse<T> found = resolve(law, make_material(T(0.5), friction), vec<T>(0, 0, 0), up<T>(), stone).impulse;
+    const T unit = body.mass * speed;
+    return std::pair<Vec3<T>, ImpactOutcome>(found.impulse_W / unit, found.outcome);
+  };
+  for (const ImpactLaw law : all_laws) {
+    for (const T friction : {T(0), T(0.3L), T(2), std::numeric_limits<T>::infinity()}) {
+      const auto [right, outcome] = of(law, friction, T(0.022L), T(1));
+      for (const T width : {T(1e-7L), T(1e-5L), T(22e3L), T(1e6L)}) {
+        for (const T speed : {T(1e-12L), T(1), T(1e6L)}) {
+          const auto [found, how] = of(law, friction, width, speed);
+          EXPECT_EQ(how, outcome) << to_string(law) << ", " << width << " m, " << speed << " m/s";
+          expect_near<T>(found, right,
+                         T(200) * std::numeric_limits<T>::epsilon() * (law == ImpactLaw::stronge ? T(1000) : T(1)));
+        }
+      }
+    }
+  }
+}
+
+TYPED_TEST(ImpactOf, WhatOverflowsIsRefused) {
+  using T = TypeParam;
+  const T huge = std::numeric_limits<T>::max() / T(4);
+  for (const ImpactLaw law : all_laws) {
+    for (const long double friction : {0.0L, 0.3L}) {
+      EXPECT_THROW((void)on_plane<T>(law, 0.5L, friction, ball<T>(Vec3<T>(huge, T(0), -huge))), InvalidArgument);
+    }
+  }
+}
+
+/// |q|² off by 50 ε, as `require_unit` lets through.
+TEST(ImpactAxis, OfAnAttitudeThatIsAccepted) {
+  const double k = std::sqrt((1.0 + 50.0 * std::numeric_limits<double>::epsilon()) / 2.0);
+  ImpactBody<double> body = ball(vec(0, 0, -3));
+  body.u_W = symmetry_axis(Quat<double>(k, 0.0, k, 0.0));
+  EXPECT_NEAR(body.u_W.norm(), 1.0, 4e-16);
+  EXPECT_NO_THROW((void)on_plane(ImpactLaw::chatterjee_ruina, 0.5, 0.3, body));
+}
+
+/// Formerly run as Stronge's.
+TEST(BadLaw, OutsideTheEnumeration) {
+  for (const int law : {-1, 3, 1000}) {
+    for (const double friction : {0.0, 0.3}) {
+      expect_invalid("law", [&] { (void)on_plane(static_cast<ImpactLaw>(law), 0.5, friction, ball(vec(0, 0, -3))); });
+      expect_invalid("law", [&] {
+        (void)resolve(static_cast<ImpactLaw>(law), make_material(0.5, friction), vec(0, 0, 0), vec(0, 0, 1),
+                      ball(vec(0, 0, -3)), ball(vec(0, 0, 3)));
+      });
+    }
+  }
+}
+
+TEST(Material, OfWholeNumbers) {
+  static_assert(std::is_same_v<decltype(make_material(0, 1)), Material<double>>);
+  static_assert(std::is_same_v<decltype(make_material(1, 0.5F)), Material<float>>);
+  static_assert(std::is_same_v<decltype(make_linear_mobility(2)), Mobility<double>>);
+  EXPECT_EQ(make_material(1, 0.25).friction, 0.25);
+  EXPECT_EQ(make_mobility(2, Moments<double>{.axial = 1.0, .transverse = 1.0}).linear, 0.5);
+}
+
+TEST(BadMobility, WhatHasNoInverse) {
+  EXPECT_THROW((void)make_mobility(1e-310, Moments<double>{.axial = 1.0, .transverse = 1.0}), InvalidArgument);
+  EXPECT_THROW((void)make_mobility(1.0, Moments<double>{.axial = 1e-310, .transverse = 1e-310}), InvalidArgument);
+  EXPECT_THROW((void)make_linear_mobility(1.5e308), InvalidArgument);
+  EXPECT_THROW((void)make_linear_mobility(1e-40F), InvalidArgument);
+}
+
 }  // namespace
 }  // namespace goishi::impact_test

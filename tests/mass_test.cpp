@@ -123,6 +123,29 @@ TEST(Tensor, OfAStoneOnItsEdge) {
   EXPECT_DOUBLE_EQ(tensor(2, 2), body.moments.transverse + body.mass);
 }
 
+/// |q|² off by 50 ε, as `require_unit` lets through: a rotation all the same.
+TEST(Tensor, OfAnAttitudeThatIsAccepted) {
+  const double k = std::sqrt((1.0 + 50.0 * std::numeric_limits<double>::epsilon()) / 2.0);
+  const auto body = mass_properties(make_stone(0.022, 0.0092), Density{2800});
+  const Mat3<double> tensor = inertia_tensor(body, Quat<double>(k, 0.0, k, 0.0), {0.0, 0.0, 0.0});
+  EXPECT_NEAR(tensor(0, 0) / body.moments.axial, 1.0, 1e-15);
+  EXPECT_NEAR(tensor(2, 2) / body.moments.transverse, 1.0, 1e-15);
+}
+
+TEST(Mass, OfAnySizeOrRefused) {
+  for (const double size : {1e-60, 1e-20, 1e20, 1e60}) {
+    const auto body = mass_properties(make_stone(22.0 * size, 9.0 * size, size), Density{1.0});
+    const auto one = mass_properties(make_stone(22.0, 9.0, 1.0), Density{1.0});
+    EXPECT_NEAR(body.volume / one.volume / size / size / size, 1.0, 1e-14);
+    EXPECT_NEAR(body.moments_per_mass.axial / one.moments_per_mass.axial / size / size, 1.0, 1e-14);
+  }
+  for (const double size : {1e-63, 1e-130, 1e63, 1e130}) {  // w⁵ is no number
+    EXPECT_THROW((void)mass_properties(make_stone(size, size), Density{1.0}), InvalidArgument);
+  }
+  EXPECT_THROW((void)mass_properties(make_stone(1e-9F, 4e-10F), Density{2800.0F}), InvalidArgument);
+  EXPECT_NO_THROW((void)mass_properties(make_stone(1e-7F, 4e-8F), Density{2800.0F}));
+}
+
 TEST(Tensor, RefusesAnAttitudeThatIsNone) {
   const MassProperties<double> body = mass_properties(make_stone(0.022, 0.0092), Density{2800.0});
   const Vec3<double> origin = Vec3<double>::Zero();

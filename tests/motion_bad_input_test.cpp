@@ -165,6 +165,18 @@ TEST(BadStep, ASymmetricSchemeForAnAsymmetricBody) {
   EXPECT_TRUE(info(Scheme::exact).needs_symmetry);
 }
 
+TEST(BadScheme, OutsideTheEnumeration) {
+  const RigidBody<double> body = make_rigid_body(1, Vec3<double>(2.0, 3.0, 4.0));
+  for (const int scheme : {-1, 9, 1000}) {
+    expect_invalid("scheme", [&] { (void)Stepper<double>(static_cast<Scheme>(scheme), body); });
+  }
+}
+
+TEST(BadBody, MomentsWithoutInverse) {
+  expect_invalid("axial", [] { (void)make_top_rates(Moments<double>{.axial = 1e-310, .transverse = 1e-310}); });
+  expect_invalid("axial", [] { (void)make_top_rates(Moments<float>{.axial = 1e-40F, .transverse = 1.0F}); });
+}
+
 TEST(BadIndex, OfAStone) {
   for (const std::size_t count : {0U, 1U, 8U, 9U}) {
     StoneBatch<double> stones(count);

@@ -18,6 +18,11 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline const Moments<double> stone_moments{.axial = 2.125e-7, .transverse = 1.25e-7};
 inline const Vec3<double> weightless = Vec3<double>::Zero();
 
+template <class T>
+[[nodiscard]] Vec3<T> vec_zero() {
+  return Vec3<T>(T(0), T(0), T(0));
+}
+
 /// A body at rest at the origin but for its rotation.
 template <class T>
 [[nodiscard]] State<T> turning(const Quat<T>& q_WB, const Vec3<T>& L_W) {

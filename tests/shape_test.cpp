@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 #include <string>
+#include <type_traits>
 
 namespace {
 
@@ -32,6 +33,48 @@ TEST(Stone, IsNanUntilMade) {
   const Stone<double> stone;
   EXPECT_TRUE(std::isnan(stone.width));
   EXPECT_TRUE(std::isnan(stone.joint_sine));
+}
+
+// Integers have another division: they are no field, and count as the scalar that stands beside them.
+static_assert(!Field<int> && !Field<long> && !Ordered<unsigned> && Ordered<float> && Ordered<long double>);
+static_assert(std::is_same_v<decltype(make_stone(22, 9)), Stone<double>>);
+static_assert(std::is_same_v<decltype(make_stone(22, 9, 1)), Stone<double>>);
+static_assert(std::is_same_v<decltype(make_stone(0.022, 0, 1)), Stone<double>>);
+static_assert(std::is_same_v<decltype(make_stone(1, 0.5F)), Stone<float>>);
+static_assert(std::is_same_v<decltype(make_stone(0.5L, 0.5L, 0)), Stone<long double>>);
+static_assert(std::is_same_v<decltype(make_measured_stone(22, 9.5, 1L)), Stone<double>>);
+static_assert(std::is_same_v<decltype(make_stone(catalogue_stone(33, StoneColor::white), 0)), Stone<double>>);
+
+template <class... Ts>
+concept MakesStone = requires(Ts... lengths) {
+  make_stone(lengths...);
+};
+static_assert(MakesStone<double, double> && MakesStone<int, float, long> && !MakesStone<double, float>);
+static_assert(!MakesStone<int, double, float>);
+
+TEST(Stone, OfWholeNumbers) {
+  EXPECT_DOUBLE_EQ(make_stone(22, 9).sphere_radius, 565.0 / 36.0);
+  EXPECT_EQ(make_stone(22, 9, 1).bevel_minor_radius, make_stone(22.0, 9.0, 1.0).bevel_minor_radius);
+  EXPECT_EQ(make_measured_stone(22, 9, 1).width, make_measured_stone(22.0, 9.0, 1.0).width);
+  EXPECT_EQ(make_stone(2, 1.5F).sphere_radius, make_stone(2.0F, 1.5F).sphere_radius);
+  expect_refused([] { (void)make_stone(0.022, 0, 1); }, "height", "height = 0: must be positive and finite");
+  expect_refused([] { (void)make_stone(9, 22); }, "height", "height = 22: must not exceed the width (9)");
+}
+
+/// From 1e-138 m to 1e138 m (float: 1e-12 to 1e12), and no farther.
+TEST(Stone, OfAnySize) {
+  for (const double size : {1e-136, 1e-50, 1.0, 1e50, 1e136}) {
+    const Stone<double> stone = make_stone(22.0 * size, 9.0 * size, size);
+    EXPECT_NEAR(stone.sphere_radius / size, 565.0 / 36.0, 1e-14);
+    EXPECT_NEAR(stone.joint_sine, make_stone(22.0, 9.0, 1.0).joint_sine, 1e-15);
+  }
+  for (const double size : {1e-150, 5e-324, 1e150, 1e308}) {
+    EXPECT_THROW((void)make_stone(size, size), InvalidArgument) << size;
+    EXPECT_THROW((void)make_measured_stone(size, size, 0.0), InvalidArgument) << size;
+  }
+  EXPECT_THROW((void)make_stone(1e100, 1e-100), InvalidArgument);  // r = 2.5e299
+  EXPECT_THROW((void)make_stone(1e-18F, 1e-18F), InvalidArgument);
+  EXPECT_NO_THROW((void)make_stone(1e-7F, 4e-8F));
 }
 
 TEST(Stone, OfThePublishedExample) {

@@ -125,5 +125,44 @@ TYPED_TEST(Batch, GivesTheSameBitsWhereverAStoneStands) {
   }
 }
 
+/// Farther than the batch's own sine counts: half angles of 3.4e9 rad. As alone, to the bit.
+TYPED_TEST(Batch, TurnsFar) {
+  using T = TypeParam;
+  const auto stones = some_stones<T>(11);
+  for (const double far : {1e8, 1e10, 1e12, 1e16, -1e16}) {
+    const T time = static_cast<T>(far);
+    StoneBatch<T> batch(stones.size());
+    for (std::size_t i = 0; i < stones.size(); ++i) {
+      batch.set(i, stones[i].state, stones[i].moments);
+    }
+    batch.fly(gravity_W<T>(), time);
+    for (std::size_t i = 0; i < stones.size(); ++i) {
+      const State<T> together = batch.get(i);
+      EXPECT_NEAR(static_cast<double>(together.q_WB.squaredNorm()), 1.0, 8.0 * std::numeric_limits<T>::epsilon());
+      if (std::fabs(far) > 2e9) {
+        const State<T> alone = free_flight(stones[i].state, stones[i].moments, gravity_W<T>(), time);
+        EXPECT_EQ(together.q_WB.coeffs(), alone.q_WB.coeffs()) << "stone " << i << ", t = " << far;
+        EXPECT_EQ(together.p_WB, alone.p_WB) << "stone " << i << ", t = " << far;
+      }
+    }
+  }
+}
+
+TYPED_TEST(Batch, RefusesWhatOverflowsAndStaysWhereItIs) {
+  using T = TypeParam;
+  const auto stones = some_stones<T>(5);
+  StoneBatch<T> batch(stones.size());
+  for (std::size_t i = 0; i < stones.size(); ++i) {
+    batch.set(i, stones[i].state, stones[i].moments);
+  }
+  const T huge = std::numeric_limits<T>::max() / T(4);
+  EXPECT_THROW(batch.fly(gravity_W<T>(), huge), InvalidArgument);
+  EXPECT_THROW(batch.fly(Vec3<T>(huge, T(0), T(0)), T(100)), InvalidArgument);
+  for (std::size_t i = 0; i < stones.size(); ++i) {
+    EXPECT_EQ(batch.get(i).p_WB, stones[i].state.p_WB);
+    EXPECT_EQ(batch.get(i).q_WB.coeffs(), stones[i].state.q_WB.coeffs());
+  }
+}
+
 }  // namespace
 }  // namespace goishi::motion_test

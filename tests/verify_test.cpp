@@ -86,6 +86,25 @@ TEST(Worst, KeepsTheWorstAndNan) {
   EXPECT_EQ(worst.measurement().cases, 5U);
 }
 
+/// An infinite allowance makes every error 0.
+TEST(Worst, AnAllowanceGuardsSomething) {
+  EXPECT_EQ(part_of(3.0, 2.0), 1.5);
+  for (const double allowed : {infinity, -infinity, nan, 0.0, -1.0}) {
+    EXPECT_TRUE(std::isnan(part_of(0.5, allowed))) << allowed;
+    Worst worst;
+    worst.see(0.5, 1.0, [] { return "a"; });
+    worst.see(0.5, allowed, [] { return "b"; });
+    EXPECT_TRUE(std::isnan(worst.error())) << allowed;
+    EXPECT_EQ(worst.measurement().worst_case, "b");
+    EXPECT_FALSE(judge(claim_with(1.0, 0.1), worst.measurement()).holds);
+  }
+  Worst worst;
+  worst.see(3.0, 2.0, [] { return "a"; });
+  EXPECT_EQ(worst.error(), 1.5);
+  worst.see(infinity, 2.0, [] { return "b"; });
+  EXPECT_FALSE(judge(claim_with(10.0, 1.0), worst.measurement()).holds);
+}
+
 TEST(Worst, OfNothingIsNan) {
   EXPECT_TRUE(std::isnan(Worst().measurement().error));
 }

@@ -125,9 +125,20 @@ struct Result {
   double seconds = 0.0;
 };
 
+/// An error in units of what is allowed. An allowance that is not positive and finite guards nothing: NaN.
+[[nodiscard]] constexpr double part_of(double error, double allowed) {
+  return 0.0 < allowed && allowed <= std::numeric_limits<double>::max() ? error / allowed
+                                                                        : std::numeric_limits<double>::quiet_NaN();
+}
+
 /// Keeps the worst of many comparisons. A NaN is worse than everything.
 class Worst {
  public:
+  /// In units of `allowed`, where that depends on the case.
+  template <class Describe>
+  void see(double error, double allowed, Describe&& describe) {
+    see(part_of(error, allowed), std::forward<Describe>(describe));
+  }
   /// `describe` is called only when this error is the worst so far.
   template <class Describe>
   void see(double error, Describe&& describe) {

@@ -97,7 +97,7 @@ inline void see_slopes(Worst& worst, const std::vector<double>& errors, int orde
     if (!(errors[i] < near_round_off)) {
       ++seen;
       const double slope = std::log2(errors[i - 1] / errors[i]);
-      worst.see(std::fabs(slope - order) / tolerance,
+      worst.see(std::fabs(slope - order), tolerance,
                 [&] { return fmt::format("slope {:.4f} instead of {}: {}", slope, order, description); });
     }
   }
@@ -128,7 +128,7 @@ inline void see_position_order(Worst& worst, const Context& context, Scheme sche
   const double duration = duration_of(flight);
   const double gain = standard_gravity<double>() * duration;
   const double reach = flight.start.p_WB.norm() + (flight.start.v_WB.norm() + gain) * duration;
-  worst.see(errors.back() / (256.0 * std::numeric_limits<double>::epsilon() * reach),
+  worst.see(errors.back(), 256.0 * std::numeric_limits<double>::epsilon() * reach,
             [&] { return "an exact position by " + std::string(info(scheme).name) + ", " + describe(flight); });
 }
 

@@ -50,7 +50,8 @@ template <class Real>
 /// The angle between a computed and the true attitude, in ε (1 + phase).
 template <class Real, class T>
 [[nodiscard]] double attitude_error(const Quat<T>& computed, const Quat<Real>& expected, const Top<T>& top) {
-  return angle_between(Quat<Real>(computed.template cast<Real>()), expected) / (epsilon_of<T> * (1.0 + phase(top)));
+  return part_of(angle_between(Quat<Real>(computed.template cast<Real>()), expected),
+                 epsilon_of<T> * (1.0 + phase(top)));
 }
 
 /// Energy of rotation and momentum in B, from q* L q as the quaternion is: if it is not of length 1, that is an error.

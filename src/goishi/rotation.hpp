@@ -86,13 +86,22 @@ void require_unit(const Quat<T>& q_WB) {
   }
 }
 
-/// Rotation matrix of a unit quaternion: R_WB v_B = v_W.
+/// Rotation matrix of a unit quaternion: R_WB v_B = v_W. Of q/|q|, so that it is a rotation to round-off.
 ///
 /// Domain  |q| = 1 within `unit_tolerance`, else InvalidArgument.
 template <Ordered T>
 [[nodiscard]] Mat3<T> rotation_matrix(const Quat<T>& q_WB) {
   require_unit(q_WB);
-  return q_WB.toRotationMatrix();
+  return formula::reunited(q_WB).toRotationMatrix();
+}
+
+/// The symmetry axis in W, a unit vector to round-off; `formula::symmetry_axis` alone has twice the quaternion's defect.
+///
+/// Domain  |q| = 1 within `unit_tolerance`, else InvalidArgument.
+template <Ordered T>
+[[nodiscard]] Vec3<T> symmetry_axis(const Quat<T>& q_WB) {
+  require_unit(q_WB);
+  return formula::symmetry_axis(formula::reunited(q_WB));
 }
 
 }  // namespace goishi

@@ -57,9 +57,9 @@ concept WorkingBatch =
 
 }  // namespace scalar
 
-/// + − × ÷ and integers: all that a rational formula may ask for.
+/// + − × ÷ and integers: all that a rational formula may ask for. The integers themselves have another ÷.
 template <class T>
-concept Field = std::copyable<T> && scalar::WorkingBatch<T> && requires(const T& x, const T& y) {
+concept Field = std::copyable<T> && !std::integral<T> && scalar::WorkingBatch<T> && requires(const T& x, const T& y) {
   T(2);
   T(x + y);
   T(x - y);
@@ -168,6 +168,32 @@ struct Wider<double> {
 template <class T>
 using wider_t = typename detail::Wider<T>::type;
 
+namespace detail {
+template <class... Ts>
+struct Promoted {};
+template <Ordered T>
+struct Promoted<T> {
+  using type = T;
+};
+template <std::integral T>
+struct Promoted<T> {
+  using type = double;
+};
+template <class T, class U, class... Ts>
+requires std::integral<T> || std::integral<U> || std::same_as<T, U>
+struct Promoted<T, U, Ts...> : Promoted<std::conditional_t<std::integral<T>, U, T>, Ts...> {
+};
+
+template <class... Ts>
+concept AnyInteger = (std::integral<Ts> || ...);
+}  // namespace detail
+
+/// The one scalar of several plain arguments: whole numbers count as what stands beside them, and as double where there is
+/// nothing else. Two different scalars have none: which of them was meant is not for a function to say.
+template <class... Ts>
+using promoted_t = typename detail::Promoted<Ts...>::type;
+
+/// Rounding to nearest is meant where a function says that it refuses what overflows: towards zero, infinity is a number.
 template <Ordered T>
 [[nodiscard]] constexpr bool is_finite(const T& x) {
   const T zero = T(x - x);  // NOLINT(misc-redundant-expression): NaN for NaN and for ±infinity, and NaN is not below 1

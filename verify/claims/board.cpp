@@ -134,7 +134,7 @@ Measurement measure_rays(Context& context) {
           {std::fabs(x.x()) - board.half_width, std::fabs(x.y()) - board.half_length, x.z(), -board.thickness - x.z()});
     };
     const auto see = [&](double error, const char* name) {
-      worst.see(error / scale, [&] {
+      worst.see(error, scale, [&] {
         return fmt::format("{}: board {:a} × {:a} × {:a}, p = {}, u = {}", name, board.half_width, board.half_length,
                            board.thickness, describe(p), describe(u));
       });

@@ -127,11 +127,11 @@ Measurement compare(const Context& context, const Case& printed, const std::vect
       const double allowed = route.allowed(greatest_rate(printed.flight) * print.time);
       const double error = (context.produced(printed.vector(state)) - print.vector).norm();
       greatest = std::max(greatest, error);
-      worst.see(error / print.vector.norm() / allowed,
+      worst.see(error, print.vector.norm() * allowed,
                 [&] { return fmt::format("{}, the vector at t = {}", route.name, print.time); });
       if (print.attitude) {
         const Quat<double> q_WB(context.produced(state.q_WB.coeffs().eval()));
-        worst.see(attitude_difference(q_WB, *print.attitude) / allowed,
+        worst.see(attitude_difference(q_WB, *print.attitude), allowed,
                   [&] { return fmt::format("{}, the attitude at t = {}", route.name, print.time); });
       }
     }

@@ -17,6 +17,9 @@ namespace goishi::verify {
 [[nodiscard]] std::vector<Claim> gsl_claims();               // GSL: quadrature of profile and solid
 [[nodiscard]] std::vector<Claim> law_claims();               // LAW: limits, scaling, sandwich, Steiner
 [[nodiscard]] std::vector<Claim> tensor_claims();            // TENSOR: frames, points, principal axes
+[[nodiscard]] std::vector<Claim> domain_stone_claims();      // DOMAIN: shape, mass and surface of stones of any size
+[[nodiscard]] std::vector<Claim> domain_motion_claims();     // DOMAIN: flights of any size and length
+[[nodiscard]] std::vector<Claim> domain_impact_claims();     // DOMAIN: impacts of any size
 [[nodiscard]] std::vector<Claim> table_claims();             // TABLE: the generated inertia table, certified
 [[nodiscard]] std::vector<Claim> published_claims();         // PUBLISHED: the talk's numbers, reproduced and refuted
 [[nodiscard]] std::vector<Claim> flight_claims();  // FLIGHT, BATCH: the exact flight against Odeint, and what it keeps

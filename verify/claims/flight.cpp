@@ -139,7 +139,7 @@ Measurement measure_exponential(Context& context) {
     const Quad angle = exact.norm();
     const Vec3<Quad> part = exact * Quad(sin(Quad(angle / 2)) / angle);
     const double off = angle_between(computed, Quat<Quad>(cos(Quad(angle / 2)), part.x(), part.y(), part.z()));
-    worst.see(off / (epsilon_of<T> * static_cast<double>(angle)),
+    worst.see(off, epsilon_of<T> * static_cast<double>(angle),
               [&] { return fmt::format("θ = ({:a}, {:a}, {:a})", theta.x(), theta.y(), theta.z()); });
   };
   for (int i = 0; i < context.samples(3'000, 30'000); ++i) {

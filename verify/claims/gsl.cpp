@@ -139,11 +139,10 @@ Measurement measure_tensor(Context& context) {
     const double trace = tensor.trace();
     for (int i = 0; i < 3; ++i) {
       const auto row = static_cast<std::size_t>(i);
-      worst.see(std::fabs(right.first[row] / right.volume - p_WB[i]) / stone.width,
-                [&] { return "centre of " + name; });
+      worst.see(std::fabs(right.first[row] / right.volume - p_WB[i]), stone.width, [&] { return "centre of " + name; });
       for (int j = 0; j < 3; ++j) {
         const double expected = right.tensor[row][static_cast<std::size_t>(j)];
-        worst.see(std::fabs(context.produced(tensor(i, j)) - expected) / trace,
+        worst.see(std::fabs(context.produced(tensor(i, j)) - expected), trace,
                   [&] { return fmt::format("entry ({}, {}) of the tensor of {}", i, j, name); });
       }
     }

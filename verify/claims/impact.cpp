@@ -47,7 +47,7 @@ Measurement measure_restitution(Context& context) {
     const BodyVelocity<double> first{context.produced(end.first.v_WB), end.first.L_W};
     const long double after = meeting.velocity(first, end.second).dot(meeting.n);
     const long double expected = -static_cast<long double>(met.material.restitution) * meeting.before.dot(meeting.n);
-    worst.see(as_double(std::fabs(after - expected)) / meeting.scale, [&] { return describe(met, law); });
+    worst.see(as_double(std::fabs(after - expected)), meeting.scale, [&] { return describe(met, law); });
   });
   return worst.measurement();
 }
@@ -82,18 +82,18 @@ Measurement measure_momentum(Context& context) {
       const double size = p.norm() + met.first.body.mass * met.first.state.v_WB.norm() +
                           met.second.body.mass * met.second.state.v_WB.norm();
       const double spin = size * width + met.first.state.L_W.norm() + met.second.state.L_W.norm();
-      worst.see(as_double((p_after - p_before).norm()) / size, [&] { return "momentum: " + describe(met, law); });
-      worst.see(as_double((L_after - L_before).norm()) / spin,
+      worst.see(as_double((p_after - p_before).norm()), size, [&] { return "momentum: " + describe(met, law); });
+      worst.see(as_double((L_after - L_before).norm()), spin,
                 [&] { return "angular momentum about the contact: " + describe(met, law); });
       // The first body got the impulse that is told.
       const Long3 got =
           static_cast<long double>(met.first.body.mass) * (first.v_WB - met.first.state.v_WB).cast<long double>();
-      worst.see(as_double((got - p.cast<long double>()).norm()) / size,
+      worst.see(as_double((got - p.cast<long double>()).norm()), size,
                 [&] { return "the impulse that is told: " + describe(met, law); });
       // Exchanged bodies.
       const TwoBodyImpact<double> other =
           resolve(law, met.material, met.p_WC, Vec3<double>(-met.n_W), met.second.state, met.first.state);
-      worst.see((other.impulse.impulse_W + p).norm() / size, [&] { return "exchanged: " + describe(met, law); });
+      worst.see((other.impulse.impulse_W + p).norm(), size, [&] { return "exchanged: " + describe(met, law); });
     }
   }
   return worst.measurement();
@@ -105,7 +105,7 @@ Measurement measure_energy(Context& context) {
   Worst worst;
   for_each_impact(context, context.samples(20000, 200000), [&](Encounter met, const Meeting& meeting, ImpactLaw law) {
     const auto see = [&](double error, const char* name) {
-      worst.see(error / as_double(meeting.energy), [&] { return std::string(name) + ": " + describe(met, law); });
+      worst.see(error, as_double(meeting.energy), [&] { return std::string(name) + ": " + describe(met, law); });
     };
     const TwoBodyImpact<double> end = strike(met, law);
     const double told = context.produced(end.impulse.energy_change);
@@ -171,7 +171,7 @@ Measurement measure_friction(Context& context) {
         const long double e = static_cast<long double>(met.material.restitution);
         const auto see = [&](double error, double scale, const char* name) {
           const double share = law == ImpactLaw::stronge ? 10.0 : 1.0;  // the process is integrated
-          worst.see(error / (scale * share), [&] { return std::string(name) + ": " + describe(met, law); });
+          worst.see(error, scale * share, [&] { return std::string(name) + ": " + describe(met, law); });
         };
         const Long3 p = context.produced(end.impulse.impulse_W).cast<long double>();
         const double normal = as_double(p.dot(meeting.n));

@@ -106,7 +106,7 @@ Measurement measure_routh(Context& context) {
     const TwoBodyImpact<double> found = strike(met, ImpactLaw::stronge);
     const BodyVelocity<double> body{context.produced(found.first.v_WB), found.first.L_W};
     const Long3 after = meeting.velocity(body, found.second);
-    worst.see(as_double((after - end.slip * t - end.normal * meeting.n).norm()) / meeting.scale,
+    worst.see(as_double((after - end.slip * t - end.normal * meeting.n).norm()), meeting.scale,
               [&] { return describe(met, ImpactLaw::stronge); });
     reversed += end.slip * t.dot(meeting.before) < 0;
     held += std::fabs(end.slip) < 1e-12L;

@@ -43,11 +43,11 @@ Measurement measure_time_reversal(Context& context) {
   for (int i = 0; i < context.samples(100, 1000); ++i) {
     const Flight flight = draw_flight(context.random(), i % 2 == 0 ? BodyKind::symmetric : BodyKind::asymmetric);
     const auto see = [&](const State<double>& back, double allowed, double t, std::string_view name) {
-      worst.see(attitude_difference(produced(context, back.q_WB), flight.start.q_WB) / allowed,
+      worst.see(attitude_difference(produced(context, back.q_WB), flight.start.q_WB), allowed,
                 [&] { return fmt::format("attitude of {}, t = {:a}, {}", name, t, describe(flight)); });
       // Twice two roundings of position and velocity in each step.
-      worst.see((context.produced(back.p_WB) - flight.start.p_WB).norm() /
-                    (4.0 * steps * epsilon * reach(flight, gravity, t)),
+      worst.see((context.produced(back.p_WB) - flight.start.p_WB).norm(),
+                4.0 * steps * epsilon * reach(flight, gravity, t),
                 [&] { return fmt::format("position of {}, t = {:a}, {}", name, t, describe(flight)); });
     };
     if (i % 2 == 0) {
@@ -96,12 +96,11 @@ Measurement measure_rotated_world(Context& context) {
     const State<double> here = mover.move(flight, gravity, dt, Freedom::both);
     const State<double> expected = turned(q_VW, {flight.body, here}).start;
     const State<double> there = mover.move(turned(q_VW, flight), q_VW * gravity, dt, Freedom::both);
-    worst.see(
-        attitude_difference(produced(context, there.q_WB), expected.q_WB) / (2.0 * mover.attitude_error(flight, dt)),
-        [&] { return fmt::format("attitude of {}, {}", mover.name, describe(flight)); });
-    worst.see(
-        (context.produced(there.p_WB) - expected.p_WB).norm() / (steps * epsilon * reach(flight, gravity, steps * dt)),
-        [&] { return fmt::format("position of {}, {}", mover.name, describe(flight)); });
+    worst.see(attitude_difference(produced(context, there.q_WB), expected.q_WB), 2.0 * mover.attitude_error(flight, dt),
+              [&] { return fmt::format("attitude of {}, {}", mover.name, describe(flight)); });
+    worst.see((context.produced(there.p_WB) - expected.p_WB).norm(),
+              steps * epsilon * reach(flight, gravity, steps * dt),
+              [&] { return fmt::format("position of {}, {}", mover.name, describe(flight)); });
   });
   return worst.measurement();
 }
@@ -147,9 +146,9 @@ Measurement measure_composition(Context& context) {
     const State<double> twice = free_flight(halfway, moments, gravity, t2);
     const State<double> once = free_flight(flight.start, moments, gravity, t1 + t2);
     const double time = std::fabs(t1) + std::fabs(t2);
-    worst.see(attitude_difference(produced(context, twice.q_WB), once.q_WB) / (2.0 * flight_error(flight, time)),
+    worst.see(attitude_difference(produced(context, twice.q_WB), once.q_WB), 2.0 * flight_error(flight, time),
               [&] { return fmt::format("attitude, t = {:a} and {:a}, {}", t1, t2, describe(flight)); });
-    worst.see((context.produced(twice.p_WB) - once.p_WB).norm() / (8.0 * epsilon * reach(flight, gravity, time)),
+    worst.see((context.produced(twice.p_WB) - once.p_WB).norm(), 8.0 * epsilon * reach(flight, gravity, time),
               [&] { return fmt::format("position, t = {:a} and {:a}, {}", t1, t2, describe(flight)); });
   }
   return worst.measurement();
@@ -170,7 +169,7 @@ Measurement measure_frames(Context& context) {
     const Vec3<double> gravity = gravity_W<double>(), gravity_V = q_VW * gravity;
     const State<double> seen = formula::seen_from(p_WV, q_WV, v_WV, state);
     const auto see = [&](double difference, double scale, const char* name) {
-      worst.see(difference / (16.0 * epsilon * scale), [&] { return fmt::format("{}, {}", name, describe(flight)); });
+      worst.see(difference, 16.0 * epsilon * scale, [&] { return fmt::format("{}, {}", name, describe(flight)); });
     };
     const double speed = state.v_WB.norm() + v_WV.norm();
     const double momentum = body.mass * speed;
@@ -195,7 +194,7 @@ Measurement measure_frames(Context& context) {
                                                   free_flight(state, top_moments(flight), gravity, t));
     const State<double> flown =
         free_flight({seen.p_WB, seen.q_WB.normalized(), seen.v_WB, seen.L_W}, top_moments(flight), gravity_V, t);
-    worst.see(attitude_difference(produced(context, flown.q_WB), then.q_WB) / (2.0 * flight_error(flight, t)),
+    worst.see(attitude_difference(produced(context, flown.q_WB), then.q_WB), 2.0 * flight_error(flight, t),
               [&] { return "the attitude then, " + describe(flight); });
     const double far = reach(flight, gravity, t) + p_WV.norm() + v_WV.norm() * std::fabs(t);
     see((context.produced(flown.p_WB) - then.p_WB).norm(), far, "the position then");
@@ -219,19 +218,19 @@ Measurement measure_conserved(Context& context) {
     if (mover.keeps_momentum) {
       worst.see(end.L_W == flight.start.L_W ? 0.0 : NAN, [&] { return fmt::format("bits of L_W, {}", mover.name); });
     }
-    worst.see(std::fabs(context.produced(formula::in_body(end.q_WB, end.L_W).norm()) / flight.start.L_W.norm() - 1.0) /
-                  ((mover.keeps_momentum ? 16.0 : 16.0 * steps) * epsilon),
+    worst.see(std::fabs(context.produced(formula::in_body(end.q_WB, end.L_W).norm()) / flight.start.L_W.norm() - 1.0),
+              (mover.keeps_momentum ? 16.0 : 16.0 * steps) * epsilon,
               [&] { return fmt::format("|L_B|, {}, {}", mover.name, describe(flight)); });
     if (mover.name != "exact" && mover.name != "free_flight") {
       return;
     }
     const double energy = formula::energy(flight.start, flight.body, gravity);
     const double rounded = (mover.name == "exact" ? steps : 8.0) * epsilon;
-    worst.see(std::fabs(context.produced(formula::energy(end, flight.body, gravity)) - energy) /
-                  (rounded * (formula::rotational_energy(flight.start, flight.body) +
-                              formula::translational_energy(flight.start, flight.body) +
-                              2.0 * formula::translational_energy(end, flight.body) +
-                              flight.body.mass * gravity.norm() * reach(flight, gravity, steps * dt))),
+    worst.see(std::fabs(context.produced(formula::energy(end, flight.body, gravity)) - energy),
+              rounded * (formula::rotational_energy(flight.start, flight.body) +
+                         formula::translational_energy(flight.start, flight.body) +
+                         2.0 * formula::translational_energy(end, flight.body) +
+                         flight.body.mass * gravity.norm() * reach(flight, gravity, steps * dt)),
               [&] { return fmt::format("energy, {}, {}", mover.name, describe(flight)); });
     // About a fixed point, L changes by the moment of weight: ∫ arm dt × m g.
     const Vec3<double> p_WP = draw_vector(context.random(), 2.0);
@@ -241,10 +240,10 @@ Measurement measure_conserved(Context& context) {
     const Vec3<double> gained = formula::angular_momentum_about(p_WP, end, flight.body) -
                                 formula::angular_momentum_about(p_WP, flight.start, flight.body);
     const double far = reach(flight, gravity, t) + p_WP.norm();
-    worst.see((context.produced(gained) - impulse).norm() /
-                  (rounded * (flight.start.L_W.norm() +
-                              flight.body.mass * far * (flight.start.v_WB.norm() + gravity.norm() * t))),
-              [&] { return fmt::format("L about a point, {}, {}", mover.name, describe(flight)); });
+    worst.see(
+        (context.produced(gained) - impulse).norm(),
+        rounded * (flight.start.L_W.norm() + flight.body.mass * far * (flight.start.v_WB.norm() + gravity.norm() * t)),
+        [&] { return fmt::format("L about a point, {}, {}", mover.name, describe(flight)); });
   });
   return worst.measurement();
 }
@@ -286,7 +285,7 @@ Measurement measure_midpoint(Context& context) {
     const double change = context.produced(formula::rotational_energy(end, flight.body)) /
                               formula::rotational_energy(flight.start, flight.body) -
                           1.0;
-    worst.see(std::fabs(change) / (4.0 * epsilon * std::sqrt(steps)),
+    worst.see(std::fabs(change), 4.0 * epsilon * std::sqrt(steps),
               [&] { return fmt::format("energy, steps of {} rad, {}", angle, describe(flight)); });
   }
   return worst.measurement();

@@ -149,9 +149,9 @@ Measurement measure_drift(Context& context) {
     if (scheme == Scheme::runge_kutta_4) {
       continue;  // it drifts: a figure to compare with
     }
-    worst.see(momentum_error / (16.0 * epsilon), [&] { return "|L| of " + name_of(scheme) + ", " + describe(flight); });
+    worst.see(momentum_error, 16.0 * epsilon, [&] { return "|L| of " + name_of(scheme) + ", " + describe(flight); });
     if (scheme != Scheme::implicit_midpoint) {
-      worst.see(early / std::pow(angle, info(scheme).attitude_order),
+      worst.see(early, std::pow(angle, info(scheme).attitude_order),
                 [&] { return "size of the energy error of " + name_of(scheme) + ", " + describe(flight); });
     }
     const double walk = 4.0 * epsilon * std::sqrt(static_cast<double>(steps));
@@ -194,7 +194,7 @@ Measurement measure_round_off(Context& context) {
           const double error =
               attitude_difference(q_WB, against_truth ? TrueAttitude(flight).at(static_cast<long double>(dt) * steps)
                                                       : in_long_double(scheme.scheme, flight, dt, steps));
-          worst.see(error / round_off(scheme.scheme, static_cast<double>(steps)), [&] {
+          worst.see(error, round_off(scheme.scheme, static_cast<double>(steps)), [&] {
             return fmt::format("{} steps of {} against {}, {}", steps, scheme.name,
                                against_truth ? "the truth" : "long double", describe(flight));
           });

@@ -22,7 +22,7 @@ using std::numbers::pi;
 class Figures {
  public:
   void see(double value, double expected, double digit, const std::string& name) {
-    worst_.see(std::fabs(value - expected) / digit, [&] { return name; });
+    worst_.see(std::fabs(value - expected), digit, [&] { return name; });
     figures_.push_back({name, fmt::format("{:.5f} mm", value)});
   }
   void see_over(double value, double least, const std::string& name, const std::string& text) {

@@ -65,7 +65,7 @@ Measurement measure_linear(Context& context) {
     const double gain = context.produced(energy_of(landed, q, after)) - before;
     const double mK = m * formula::response(landed.state.mobility, landed.state.u_W, landed.arm, up).z();  // n · W n
     const double expected = (1.0 + e) * m * v.z() * v.z() * ((1.0 + e) * mK / 2.0 - 1.0);
-    worst.see(std::fabs(gain - expected) / (before + std::fabs(expected)), [&] { return fmt::format("e = {:a}", e); });
+    worst.see(std::fabs(gain - expected), before + std::fabs(expected), [&] { return fmt::format("e = {:a}", e); });
     gained += gain > 0.0;
     if (gain / before > greatest) {
       greatest = gain / before;
@@ -74,7 +74,7 @@ Measurement measure_linear(Context& context) {
     if (landed.state.v_WB.z() < 0.0) {
       const double right = linear_response(Vec3<double>(m * landed.state.v_WB), up, e);
       const double vz = landed.state.v_WB.z() + right / m;
-      worst.see(std::fabs(context.produced(vz) + e * landed.state.v_WB.z()) / landed.state.v_WB.norm(),
+      worst.see(std::fabs(context.produced(vz) + e * landed.state.v_WB.z()), landed.state.v_WB.norm(),
                 [&] { return "the momentum of the centre"; });
     }
   }

@@ -60,9 +60,9 @@ void see_turn(Worst& worst, std::vector<Figure>& figures, const Context& context
   const double right = angle(free_flight(start, moments, Vec3<double>(Vec3<double>::Zero()), frame));
   const double percent = 100.0 * (published / right - 1.0);
   worst.see(std::fabs(percent + 10.6) / 0.05, [] { return "−10.6 % at 75 rad/s and 60 Hz"; });
-  worst.see(std::fabs(published / (2.0 * std::atan(rate * frame / 2.0)) - 1.0) / (4.0 * epsilon),
+  worst.see(std::fabs(published / (2.0 * std::atan(rate * frame / 2.0)) - 1.0), 4.0 * epsilon,
             [] { return "2 atan(ωΔt/2)"; });
-  worst.see(std::fabs(right / (rate * frame) - 1.0) / (4.0 * epsilon), [] { return "ωΔt"; });
+  worst.see(std::fabs(right / (rate * frame) - 1.0), 4.0 * epsilon, [] { return "ωΔt"; });
   figures.push_back({"published: a step at 75 rad/s and 60 Hz turns by",
                      fmt::format("{:.6f} rad, {:+.1f} %; right is {:.6f} rad", published, percent, right)});
 }
@@ -89,9 +89,9 @@ Measurement measure_constant_velocity(Context& context) {
     const double wandered = context.produced((state.L_W - start.L_W).norm()) / size;
     greatest = std::max(greatest, wandered);
     sum += wandered;
-    worst.see(std::fabs(wandered - wander * std::fabs(std::sin(turn * i / 2.0))) / phase_drift,
+    worst.see(std::fabs(wandered - wander * std::fabs(std::sin(turn * i / 2.0))), phase_drift,
               [&] { return fmt::format("L after {} steps", i); });
-    worst.see(std::fabs(context.produced(formula::rotational_energy(state, loop.body())) / energy - 1.0) / drift,
+    worst.see(std::fabs(context.produced(formula::rotational_energy(state, loop.body())) / energy - 1.0), drift,
               [&] { return fmt::format("energy after {} steps", i); });
   }
   // A ball that starts with the same angular velocity turns alike.
@@ -99,7 +99,7 @@ Measurement measure_constant_velocity(Context& context) {
   State<double> ball_start = start;
   ball_start.L_W = formula::angular_momentum_W(start.q_WB, ball.body(), w_WB);
   const Quat<double> ball_end(context.produced(ball.advance(ball_start, frame, steps).state.q_WB.coeffs().eval()));
-  worst.see(attitude_difference(ball_end, state.q_WB) / (2.0 * phase_drift), [] { return "the ball's attitude"; });
+  worst.see(attitude_difference(ball_end, state.q_WB), 2.0 * phase_drift, [] { return "the ball's attitude"; });
   const State<double> right = free_flight(start, moments, Vec3<double>(Vec3<double>::Zero()), duration);
   std::vector<Figure> turn_figure;
   see_turn(worst, turn_figure, context);
@@ -139,14 +139,14 @@ Measurement measure_parabola(Context& context) {
     const State<double> parabola = formula::ballistic_flight(start, printed_gravity, t);
     const Vec3<double> off = context.produced(published.p_WB) - parabola.p_WB;
     const double reach = start.p_WB.norm() + (start.v_WB.norm() + printed_gravity.norm() * t) * t;
-    worst.see((off - t * frame / 2.0 * printed_gravity).norm() / (2.0 * steps * epsilon * reach),
+    worst.see((off - t * frame / 2.0 * printed_gravity).norm(), 2.0 * steps * epsilon * reach,
               [&] { return fmt::format("g t Δt/2 after {} steps", steps); });
     // √10 times as long, under a tenth of gravity: the same fall from rest.
     start.v_WB.setZero();
     const Vec3<double> fall = formula::ballistic_flight(start, right_gravity, t).p_WB - start.p_WB;
     const Vec3<double> slow_fall =
         formula::ballistic_flight(start, printed_gravity, std::sqrt(10.0) * t).p_WB - start.p_WB;
-    worst.see((context.produced(slow_fall) - fall).norm() / (16.0 * epsilon * (fall.norm() + start.p_WB.norm())),
+    worst.see((context.produced(slow_fall) - fall).norm(), 16.0 * epsilon * (fall.norm() + start.p_WB.norm()),
               [&] { return fmt::format("√10 times as long, {} s", t); });
     late = std::max(late, off.norm());
   }
@@ -183,7 +183,7 @@ Measurement measure_explicit_euler(Context& context) {
         euler.advance(start, 1.0 / printed.rate, static_cast<std::int64_t>(duration) * printed.rate).state;
     const double gain = 100.0 * (context.produced(formula::rotational_energy(end, euler.body())) / energy - 1.0);
     const double degrees = context.produced(tilt(end));
-    worst.see(std::fabs(gain - printed.gain) / printed.digit,
+    worst.see(std::fabs(gain - printed.gain), printed.digit,
               [&] { return fmt::format("energy, 1/{} s", printed.rate); });
     worst.see(std::fabs(degrees - printed.degrees), [&] { return fmt::format("axis, 1/{} s", printed.rate); });
     figures.figures.push_back({fmt::format("published, steps of 1/{} s", printed.rate),
@@ -223,14 +223,13 @@ Measurement measure_exact(Context& context) {
     const Quat<double> q_WB(context.produced(end.q_WB.coeffs().eval()));
     const double angle =
         start.L_W.norm() / moments.transverse + start.L_W.z() * (1.0 / moments.transverse - 1.0 / moments.axial);
-    worst.see(attitude_difference(q_WB, truth.at(static_cast<long double>(t))) / (8.0 * epsilon * (1.0 + angle * t)),
+    worst.see(attitude_difference(q_WB, truth.at(static_cast<long double>(t))), 8.0 * epsilon * (1.0 + angle * t),
               [&] { return fmt::format("attitude at {} s", t); });
     worst.see(
         std::fabs(context.produced(formula::rotational_energy(end, body)) / formula::rotational_energy(start, body) -
-                  1.0) /
-            (16.0 * epsilon),
-        [&] { return fmt::format("energy at {} s", t); });
-    worst.see(std::fabs(context.produced(tilt(end)) - tilt(start)) * degree / (16.0 * epsilon),
+                  1.0),
+        16.0 * epsilon, [&] { return fmt::format("energy at {} s", t); });
+    worst.see(std::fabs(context.produced(tilt(end)) - tilt(start)) * degree, 16.0 * epsilon,
               [&] { return fmt::format("angle between axis and L at {} s", t); });
   }
   Measurement result = worst.measurement();

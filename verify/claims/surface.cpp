@@ -60,7 +60,7 @@ Measurement measure_support(Context& context) {
                         "support of " + describe(specimen) + " at " + describe(n));
     }
     const auto see = [&](double error, const char* name) {
-      worst.see(error / width, [&] { return fmt::format("{}: {}, n = {}", name, describe(specimen), describe(n)); });
+      worst.see(error, width, [&] { return fmt::format("{}: {}, n = {}", name, describe(specimen), describe(n)); });
     };
     see(std::fabs(static_cast<double>(Digits50(context.produced(computed.value) - value))), "value");
     if (radial > 0 || computed.feature != Feature::rim) {
@@ -122,7 +122,7 @@ Measurement measure_distance(Context& context) {
     }
     const Digits50 distance = outside(hull, rho, point.z()) < 0 ? Digits50(-foot.distance) : foot.distance;
     const auto see = [&](double error, const char* name) {
-      worst.see(error / scale, [&] { return fmt::format("{}: {}, p = {}", name, describe(specimen), describe(p)); });
+      worst.see(error, scale, [&] { return fmt::format("{}: {}, p = {}", name, describe(specimen), describe(p)); });
     };
     see(std::fabs(static_cast<double>(Digits50(context.produced(computed.distance) - distance))), "distance");
     if (computed.unique) {

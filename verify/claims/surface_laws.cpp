@@ -44,7 +44,7 @@ Measurement measure_laws(Context& context) {
     const Stone<double>& stone = specimen.stone;
     const double width = outer_width(stone);
     const auto see = [&](double error, const char* name, const Vec3<double>& one, const Vec3<double>& other) {
-      worst.see(error / width, [&] {
+      worst.see(error, width, [&] {
         return fmt::format("{}: {}, at {} and {}", name, describe(specimen), describe(one), describe(other));
       });
     };

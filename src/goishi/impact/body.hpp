@@ -28,7 +28,7 @@ template <class T>
 struct ImpactBody {
   Mobility<T> mobility;
   Vec3<T> p_WB = Vec3<T>::Constant(scalar::unset<T>());  // [m] centre of mass
-  Vec3<T> u_W = Vec3<T>::Constant(scalar::unset<T>());   // unit, symmetry axis
+  Vec3<T> u_W = Vec3<T>::Constant(scalar::unset<T>());   // unit, symmetry axis (`symmetry_axis` of the attitude)
   Vec3<T> v_WB = Vec3<T>::Constant(scalar::unset<T>());  // [m/s]
   Vec3<T> L_W = Vec3<T>::Constant(scalar::unset<T>());   // [kg m²/s] about the centre of mass
 };
@@ -42,13 +42,13 @@ struct BodyVelocity {
 
 namespace formula {
 
-/// 1/m, 1/I_t, 1/I_a − 1/I_t, the last as (I_t − I_a)/(I_a I_t): a ball's is 0.
+/// 1/m, 1/I_t, 1/I_a − 1/I_t, the last as (I_t − I_a)/I_a/I_t: a ball's is 0, and no product of moments underflows.
 /// Proof  derivations/impact.cpp.
 template <Field T>
 [[nodiscard]] Mobility<T> mobility(const T& mass, const Moments<T>& moments) {
   return {.linear = T(T(1) / mass),
           .transverse = T(T(1) / moments.transverse),
-          .axial = T((moments.transverse - moments.axial) / (moments.axial * moments.transverse))};
+          .axial = T((moments.transverse - moments.axial) / moments.axial / moments.transverse)};
 }
 
 /// Angular velocity from angular momentum, both in W   [rad/s]:
@@ -94,12 +94,27 @@ template <Field T>
 
 }  // namespace formula
 
-/// Domain  mass > 0, 0 < I_a <= 2 I_t; all finite; else InvalidArgument.
+namespace detail {
+
 template <Ordered T>
-[[nodiscard]] Mobility<T> make_mobility(const T& mass, const Moments<T>& moments) {
+void require_inverse(const char* argument, const T& value, const T& inverse) {
+  require(scalar::tiny<T>() <= inverse && scalar::is_finite(inverse), argument, value,
+          "must have an inverse that its type can hold");
+}
+
+}  // namespace detail
+
+/// Domain  mass > 0, 0 < I_a <= 2 I_t; all finite, and their inverses numbers of T, not below the least normal one; else
+///         InvalidArgument.
+template <Ordered T>
+[[nodiscard]] Mobility<T> make_mobility(const std::type_identity_t<T>& mass, const Moments<T>& moments) {
   require_positive("mass", mass);
   require_physical(moments);
-  return formula::mobility(mass, moments);
+  const Mobility<T> result = formula::mobility(mass, moments);
+  detail::require_inverse("mass", mass, result.linear);
+  detail::require_inverse("transverse", moments.transverse, result.transverse);
+  detail::require_inverse("axial", moments.axial, T(T(1) / moments.axial));
+  return result;
 }
 
 template <Ordered T>
@@ -108,11 +123,15 @@ template <Ordered T>
 }
 
 /// Of a body that does not turn: every law without friction is then the linear response, for one body or for two.
-/// Domain  mass > 0 and finite, else InvalidArgument.
+/// Domain  mass > 0 and finite, and its inverse, too; else InvalidArgument.
 template <Ordered T>
 [[nodiscard]] Mobility<T> make_linear_mobility(const T& mass) {
   require_positive("mass", mass);
+  detail::require_inverse("mass", mass, T(T(1) / mass));
   return {.linear = T(T(1) / mass), .transverse = T(0), .axial = T(0)};
+}
+[[nodiscard]] inline Mobility<double> make_linear_mobility(std::integral auto mass) {
+  return make_linear_mobility(static_cast<double>(mass));
 }
 
 /// Of a body that does not answer: no impulse changes how it moves.

@@ -13,7 +13,7 @@ namespace goishi::detail {
 /// (`formula::chatterjee_ruina_impulse`). With κ = 1 the contact leaves with e W p_I: no slip but what the
 /// restitution's own impulse makes.
 template <Ordered T>
-[[nodiscard]] inline LawImpulse<T> chatterjee_ruina(const Collision<T>& c) {
+[[nodiscard]] inline LawImpulse<T> chatterjee_ruina_ordinary(const Collision<T>& c) {
   const T approach = formula::dot(c.v, c.n);
   const T mobility = formula::dot(c.n, formula::product(c.W, c.n));
   const T plastic = formula::normal_impulse(approach, mobility, T(0));
@@ -29,6 +29,31 @@ template <Ordered T>
   const T kappa = sticks ? T(1) : formula::cone_fraction(normal, needed, gained);
   return {sticks ? ImpactOutcome::stuck : ImpactOutcome::slid,
           formula::chatterjee_ruina_impulse(plastic, sticking, c.n, c.restitution, kappa), 1};
+}
+
+/// The same of any size: in units in which no product leaves the range of T. By
+/// copies: no address of W or v leaves, so they stay in registers.
+template <Ordered T>
+[[nodiscard, gnu::noinline]] LawImpulse<T> chatterjee_ruina_rescaled(const ContactMatrix<T>& W_W, const Vec3<T>& v_W,
+                                                                     const Vec3<T>& n_W, const T& restitution,
+                                                                     const T& friction) {
+  const Units<T> units = units_of(W_W, v_W);
+  const ContactMatrix<T> W = units.of(W_W);
+  const Vec3<T> v = units.of(v_W);
+  return units.back(chatterjee_ruina_ordinary<T>({W, v, n_W, restitution, friction}));
+}
+
+/// The law. In line and in its own units where those are ordinary ones.
+template <Ordered T>
+[[nodiscard]] inline LawImpulse<T> chatterjee_ruina(const Collision<T>& c) {
+  const T least = least_ordinary<T>();
+  const T approach = -formula::dot(c.v, c.n);
+  const T mobility = formula::dot(c.n, formula::product(c.W, c.n));
+  if (!(least < approach && approach * least < T(1) && least < mobility && mobility * least < T(1))) [[unlikely]] {
+    return chatterjee_ruina_rescaled<T>({c.W.xx, c.W.yy, c.W.zz, c.W.xy, c.W.xz, c.W.yz}, {c.v.x(), c.v.y(), c.v.z()},
+                                        c.n, c.restitution, c.friction);
+  }
+  return chatterjee_ruina_ordinary(c);
 }
 
 }  // namespace goishi::detail

@@ -61,7 +61,7 @@ template <Field T>
 }
 
 /// W⁻¹ v, by cofactors.
-/// Domain  W positive definite, as a contact matrix is, and its determinant neither over- nor underflows.
+/// Domain  W positive definite, as a contact matrix is, and its determinant neither over- nor underflows (`resolve` scales it).
 /// Proof  derivations/impact.cpp.
 template <Field T>
 [[nodiscard]] inline Vec3<T> solution(const ContactMatrix<T>& W, const Vec3<T>& v) {

@@ -26,10 +26,14 @@ struct TwoBodyImpact {
 
 namespace detail {
 
-/// By a law that is not the default.
+/// By a law that is not the default; in units in which no product leaves the range of T.
 template <Ordered T>
 [[nodiscard]] LawImpulse<T> other_impulse(ImpactLaw law, const Collision<T>& c) {
-  return law == ImpactLaw::published ? published(c) : stronge(c);
+  const Units<T> units = units_of(c.W, c.v);
+  const ContactMatrix<T> W = units.of(c.W);
+  const Vec3<T> v = units.of(c.v);
+  const Collision<T> met{W, v, c.n, c.restitution, c.friction};
+  return units.back(law == ImpactLaw::published ? published(met) : stronge(met));
 }
 
 /// The answer to an impulse p, after which the contact moves with `after`.
@@ -53,11 +57,13 @@ template <Ordered T, class Response, class Matrix>
                                            const Vec3<T>& v_W, const Response& response, const Matrix& matrix) {
   const T approach = formula::dot(v_W, n_W);
   if (!(approach < T(0))) {
+    require_answer(approach);
     return answer({ImpactOutcome::separating, Vec3<T>(T(0), T(0), T(0)), 0}, n_W, v_W, v_W);
   }
   if (!(T(0) < material.friction)) {
     const Vec3<T> Wn = response(n_W);
     const T j = formula::normal_impulse(approach, formula::dot(n_W, Wn), material.restitution);
+    require_answer(T(approach * j));
     return answer({ImpactOutcome::slid, formula::scaled(j, n_W), 1}, n_W, v_W, formula::plus(v_W, j, Wn));
   }
   if (law == ImpactLaw::chatterjee_ruina) [[likely]] {  // in line, so in registers: no address of W or v leaves
@@ -72,7 +78,8 @@ template <Ordered T, class Response, class Matrix>
 }
 
 template <Ordered T>
-inline void require_contact(const Material<T>& material, const Vec3<T>& p_WC, const Vec3<T>& n_W) {
+inline void require_contact(ImpactLaw law, const Material<T>& material, const Vec3<T>& p_WC, const Vec3<T>& n_W) {
+  require(is_law(law), "law", static_cast<int>(law), "must be one of the three");
   require_material(material);
   if (!(scalar::is_finite(T(p_WC.x() + p_WC.y() + p_WC.z())) && is_unit(n_W))) [[unlikely]] {
     require_point(p_WC, "contact point");
@@ -84,8 +91,9 @@ inline void require_contact(const Material<T>& material, const Vec3<T>& p_WC, co
 
 /// A body meets a fixed one at p_WC; n_W, unit, points out of the fixed body.
 ///
-/// Domain  0 <= e <= 1, 0 <= μ, infinity allowed; unit normal and axis, a mobility of `make_mobility`, all finite;
-///         else InvalidArgument. A contact that does not approach gets no impulse (`ImpactOutcome::separating`).
+/// Domain  one of the three laws; 0 <= e <= 1, 0 <= μ, infinity allowed; unit normal and axis, a mobility of `make_mobility`,
+///         all finite, and the energy of the impact, too; else InvalidArgument. Of any size: DOMAIN-8. A contact that does not
+///         approach gets no impulse (`ImpactOutcome::separating`).
 /// Error   v_n⁺ + e v_n⁻ of chatterjee_ruina within 1e-14 of |v| (claim IMPACT-1). No law gains energy (IMPACT-4),
 ///         every impulse is in the friction cone (IMPACT-5). Beside Stronge's law: IMPACT-8.
 /// Cost    chatterjee_ruina: one symmetric 3 × 3 solution, no allocation. Without friction, no matrix.
@@ -93,7 +101,7 @@ inline void require_contact(const Material<T>& material, const Vec3<T>& p_WC, co
 template <Ordered T>
 [[nodiscard]] Impact<T> resolve(ImpactLaw law, const Material<T>& material, const Vec3<T>& p_WC, const Vec3<T>& n_W,
                                 const ImpactBody<T>& body) {
-  detail::require_contact(material, p_WC, n_W);
+  detail::require_contact(law, material, p_WC, n_W);
   detail::require_body(body);
   const Vec3<T> r = formula::minus(p_WC, body.p_WB);
   Impact<T> result{.impulse = detail::impulse_of(
@@ -110,7 +118,7 @@ template <Ordered T>
 template <Ordered T>
 [[nodiscard]] TwoBodyImpact<T> resolve(ImpactLaw law, const Material<T>& material, const Vec3<T>& p_WC,
                                        const Vec3<T>& n_W, const ImpactBody<T>& first, const ImpactBody<T>& second) {
-  detail::require_contact(material, p_WC, n_W);
+  detail::require_contact(law, material, p_WC, n_W);
   detail::require_body(first);
   detail::require_body(second);
   require(T(0) < first.mobility.linear + second.mobility.linear, "mobility", second.mobility.linear,
@@ -137,7 +145,8 @@ template <Ordered T>
 /// Returns the impulse along n   [N s]; 0 for a body that leaves.
 /// Domain  0 <= e <= 1, a unit normal, a finite momentum; else InvalidArgument.
 template <Ordered T>
-[[nodiscard]] T linear_response(const Vec3<T>& momentum, const Vec3<T>& n_W, const T& restitution) {
+[[nodiscard]] T linear_response(const Vec3<T>& momentum, const Vec3<T>& n_W,
+                                const std::type_identity_t<T>& restitution) {
   require_material(Material<T>{.restitution = restitution, .friction = T(0)});
   detail::require_point(momentum, "momentum");
   detail::require_direction(n_W);

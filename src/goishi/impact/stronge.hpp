@@ -111,7 +111,6 @@ class StrongeProcess {
   using State = formula::SlipState<T>;
   using Series = std::array<State, order + 1>;
 
-  [[nodiscard]] static T magnitude(const T& x) { return x < T(0) ? T(-x) : x; }
   [[nodiscard]] T slip() const { return scalar::sqrt(T(scalar::sq(now_.v.x()) + scalar::sq(now_.v.y()))); }
 
   /// What is still to happen in this phase, below 0 until it is over. Work counts from the start of the phase.

@@ -124,24 +124,23 @@ struct MassProperties {
 
 namespace detail {
 
-/// Everything at density 1, evaluated in the next wider type and rounded once. Two things that are only of degree 0 and 2
+/// Everything at density 1, in the next wider type, to be rounded once. Two things that are only of degree 0 and 2
 /// in the lengths are taken in T, for speed: the joint's angle (atan2) and the area.
 template <Ordered T>
-[[nodiscard]] MassProperties<T> unit_density_properties(const Stone<T>& stone) {
+[[nodiscard]] MassProperties<scalar::wider_t<T>> unit_density_properties(const Stone<T>& stone) {
   using Wide = scalar::wider_t<T>;
-  const auto rounded = [](const Wide& volume, const T& area, const Moments<Wide>& moments,
-                          const Moments<Wide>& per_mass) {
-    return MassProperties<T>{.volume = T(volume),
-                             .surface_area = area,
-                             .density = T(1),
-                             .mass = T(volume),
-                             .moments = {T(moments.axial), T(moments.transverse)},
-                             .moments_per_mass = {T(per_mass.axial), T(per_mass.transverse)}};
+  const auto all = [](const Wide& volume, const T& area, const Moments<Wide>& moments, const Moments<Wide>& per_mass) {
+    return MassProperties<Wide>{.volume = volume,
+                                .surface_area = Wide(area),
+                                .density = Wide(1),
+                                .mass = volume,
+                                .moments = moments,
+                                .moments_per_mass = per_mass};
   };
   if (!(T(0) < stone.bevel)) {
     const Wide w(stone.width), h(stone.height);
-    return rounded(formula::lens_volume(w, h), formula::lens_surface_area(stone.width, stone.height),
-                   formula::lens_moments(w, h), formula::lens_moments_per_mass(w, h));
+    return all(formula::lens_volume(w, h), formula::lens_surface_area(stone.width, stone.height),
+               formula::lens_moments(w, h), formula::lens_moments_per_mass(w, h));
   }
   const T angle = scalar::atan2(stone.joint_sine, stone.joint_cosine);
   const auto terms = formula::bevel_terms(stone, Wide(angle));
@@ -149,37 +148,60 @@ template <Ordered T>
   const Wide per_volume = Wide(1) / volume;
   const Moments<Wide> moments = formula::bevelled_moments(stone, terms);
   const T area = formula::bevelled_surface_area(stone, formula::bevel_terms(stone, angle));
-  return rounded(volume, area, moments, {moments.axial * per_volume, moments.transverse * per_volume});
+  return all(volume, area, moments, {moments.axial * per_volume, moments.transverse * per_volume});
+}
+
+/// Rounded to T, if that can hold them: a volume is a cube, a moment of fifth degree.
+template <Ordered T>
+[[nodiscard]] MassProperties<T> rounded(const Stone<T>& stone, const MassProperties<scalar::wider_t<T>>& wide) {
+  using Wide = scalar::wider_t<T>;
+  const Wide least(std::numeric_limits<T>::min()), most(std::numeric_limits<T>::max());
+  const auto holds = [&](const Wide& value) { return least <= value && value <= most; };
+  const auto both = [&](const Moments<Wide>& moments) { return holds(moments.axial) && holds(moments.transverse); };
+  require(holds(wide.volume) && holds(wide.surface_area) && holds(wide.density) && holds(wide.mass) &&
+              both(wide.moments) && both(wide.moments_per_mass),
+          "width", stone.width,
+          "must be such that volume, area, density, mass and moments are numbers that its type can hold");
+  return {.volume = T(wide.volume),
+          .surface_area = T(wide.surface_area),
+          .density = T(wide.density),
+          .mass = T(wide.mass),
+          .moments = {T(wide.moments.axial), T(wide.moments.transverse)},
+          .moments_per_mass = {T(wide.moments_per_mass.axial), T(wide.moments_per_mass.transverse)}};
 }
 
 }  // namespace detail
 
 /// Mass properties of a stone of uniform density. Closed forms, sharp or bevelled; one stone size needs this once.
 ///
-/// Domain  a stone from `make_stone` or `make_measured_stone`; density > 0 and finite, else InvalidArgument.
+/// Domain  a stone from `make_stone` or `make_measured_stone`; density > 0 and finite; what follows from them normal numbers
+///         of T, with I_a <= 2 I_t (DOMAIN-2); else InvalidArgument.
 /// Error   sharp <= 4 ulp (MASS-1), bevelled <= 8 ulp (MASS-2), float and double, over the whole domain of
 ///         `make_stone`.
 /// Source  volume and both moments by GSL quadrature (GSL-1 … GSL-4).
 template <Ordered T>
 [[nodiscard]] MassProperties<T> mass_properties(const Stone<T>& stone, const Density<T>& density) {
   require_positive("density", density.value);
-  MassProperties<T> result = detail::unit_density_properties(stone);
-  result.density = density.value;
-  result.mass = T(density.value * result.volume);
-  result.moments = {T(density.value * result.moments.axial), T(density.value * result.moments.transverse)};
-  return result;
+  using Wide = scalar::wider_t<T>;
+  MassProperties<Wide> result = detail::unit_density_properties(stone);
+  result.density = Wide(density.value);
+  result.mass = result.density * result.volume;
+  result.moments = {Wide(result.density * result.moments.axial), Wide(result.density * result.moments.transverse)};
+  return detail::rounded(stone, result);
 }
 
 /// The same for a stone of known mass; the density follows.
-/// Domain  mass > 0 and finite, else InvalidArgument.   Error  as above.
+/// Domain  mass > 0 and finite; all as above.   Error  as above.
 template <Ordered T>
 [[nodiscard]] MassProperties<T> mass_properties(const Stone<T>& stone, const Mass<T>& mass) {
   require_positive("mass", mass.value);
-  MassProperties<T> result = detail::unit_density_properties(stone);
-  result.density = T(mass.value / result.volume);
-  result.mass = mass.value;
-  result.moments = {T(mass.value * result.moments_per_mass.axial), T(mass.value * result.moments_per_mass.transverse)};
-  return result;
+  using Wide = scalar::wider_t<T>;
+  MassProperties<Wide> result = detail::unit_density_properties(stone);
+  result.mass = Wide(mass.value);
+  result.density = result.mass / result.volume;
+  result.moments = {Wide(result.mass * result.moments_per_mass.axial),
+                    Wide(result.mass * result.moments_per_mass.transverse)};
+  return detail::rounded(stone, result);
 }
 
 }  // namespace goishi

@@ -50,13 +50,16 @@ template <Field T>
 /// at p_WB with attitude q_WB, about the origin of W, in W   [kg m²]. Off-diagonal entries are minus the products of
 /// inertia.
 ///
-/// Domain  q_WB a unit quaternion, p_WB finite, else InvalidArgument.
+/// Domain  q_WB a unit quaternion, |p_WB|² and the result finite (DOMAIN-3); else InvalidArgument.
 /// Source  nested integration of the solid itself (GSL-4).
 template <Ordered T>
 [[nodiscard]] Mat3<T> inertia_tensor(const MassProperties<T>& body, const Quat<T>& q_WB, const Vec3<T>& p_WB) {
-  require(scalar::is_finite(T(p_WB.squaredNorm())), "position", p_WB.norm(), "must be finite");
   const Mat3<T> about_centre = formula::rotated_tensor(formula::principal_tensor(body.moments), rotation_matrix(q_WB));
-  return formula::shifted_tensor(about_centre, body.mass, p_WB);
+  const Mat3<T> result = formula::shifted_tensor(about_centre, body.mass, p_WB);
+  const T most = std::numeric_limits<T>::max() / T(4);
+  require(p_WB.squaredNorm() < most && result.cwiseAbs().maxCoeff() < most, "position", p_WB.cwiseAbs().maxCoeff(),
+          "must be finite, and its square times the mass, too (greatest coordinate shown)");
+  return result;
 }
 
 /// Principal moments, ascending, and axes of a tensor: I = R diag(moments) Rᵀ, R_WP a rotation (right-handed).

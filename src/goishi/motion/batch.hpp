@@ -2,6 +2,7 @@
 /// \file
 /// Free flight of many stones at once: an array of structures of SIMD batches, run through the same formula.
 
+#include <algorithm>
 #include <cstddef>
 #include <experimental/simd>
 #include <goishi/error.hpp>
@@ -33,7 +34,7 @@ namespace goishi {
 /// written once, in `formula::free_flight`; here it runs on a register of stones.
 ///
 ///     StoneBatch<double> stones(1000);
-///     stones.set(0, state, moments);   // and so on; a place that was not set stays at rest at the origin
+///     stones.set(0, state, moments);   // and so on; a place that was not set starts at rest at the origin
 ///     stones.fly(gravity_W<double>(), 0.1);
 template <std::floating_point T>
 class StoneBatch {
@@ -57,9 +58,14 @@ class StoneBatch {
     const TopRates<T> rates = make_top_rates(moments);
     Group& group = groups_[index / lanes];
     const std::size_t lane = index % lanes;
-    each_component(group.state, state, [&](Lanes& to, const T& from) { to[lane] = from; });
+    put(index, state);
     group.rates.precession[lane] = rates.precession;
     group.rates.spin[lane] = rates.spin;
+    const T rate = rates.precession + magnitude(rates.spin);
+    fastest_ = std::max(fastest_, T(rate * state.L_W.template lpNorm<1>()));
+    greatest_rate_ = std::max(greatest_rate_, rate);
+    reach_ = std::max(reach_, state.p_WB.template lpNorm<Eigen::Infinity>());
+    speed_ = std::max(speed_, state.v_WB.template lpNorm<Eigen::Infinity>());
   }
 
   /// Domain  index below `size()`, else InvalidArgument.
@@ -73,12 +79,36 @@ class StoneBatch {
 
   /// All stones fly for a time t.
   ///
-  /// Domain  gravity and t finite, else InvalidArgument.
-  /// Error   as `free_flight`, but for needles (4 I_a < I_t), which the scalar version treats with more digits (BATCH-1).
-  /// Cost    everything inlined: a group's state then stays in registers, which halves the time.
-  [[gnu::flatten]] void fly(const Vec3<T>& gravity, const T& t) {
+  /// Domain  gravity and t finite, and such that no stone could overflow: neither its t/I and the square of its angles, nor
+  ///         its position, were it as far and as fast as any that was ever set; else InvalidArgument, and no stone has flown.
+  /// Error   as `free_flight`, but for needles (4 I_a < I_t), which the scalar version treats with more digits (BATCH-1,
+  ///         DOMAIN-7).
+  /// Cost    everything inlined: a group's state then stays in registers, which halves the time. If a stone may turn
+  ///         by 2³² rad, farther than the batch's sine counts, the stones fly one by one.
+  void fly(const Vec3<T>& gravity, const T& t) {
     require(scalar::is_finite(T(gravity.sum())), "gravity", gravity.norm(), "must be finite");
     require(scalar::is_finite(t), "time", t, "must be finite");
+    const T time = magnitude(t), gain = time * gravity.template lpNorm<Eigen::Infinity>();
+    const T speed = speed_ + gain, reach = reach_ + time * (speed_ + gain / T(2));
+    const T angle = time * fastest_;
+    require(scalar::is_finite(scalar::sq(angle)) && scalar::is_finite(T(time * greatest_rate_)) &&
+                scalar::is_finite(T(T(3) * (reach + speed))),
+            "time", t, "must not take a body farther than its arithmetic can count");
+    reach_ = reach;
+    speed_ = speed;
+    if (angle < T(65536) * T(65536)) [[likely]] {
+      fly_all(gravity, t);
+    } else {
+      for (std::size_t i = 0; i < count_; ++i) {
+        const Group& group = groups_[i / lanes];
+        const TopRates<T> rates{.precession = group.rates.precession[i % lanes], .spin = group.rates.spin[i % lanes]};
+        put(i, free_flight(get(i), rates, gravity, t));
+      }
+    }
+  }
+
+ private:
+  [[gnu::flatten]] void fly_all(const Vec3<T>& gravity, const T& t) {
     const Vec3<Lanes> g(Lanes(gravity.x()), Lanes(gravity.y()), Lanes(gravity.z()));
     const Lanes time(t);
     for (Group& group : groups_) {
@@ -86,7 +116,12 @@ class StoneBatch {
     }
   }
 
- private:
+  void put(std::size_t index, const State<T>& state) {
+    each_component(groups_[index / lanes].state, state, [&](Lanes& to, const T& from) { to[index % lanes] = from; });
+  }
+
+  [[nodiscard]] static T magnitude(const T& x) { return x < T(0) ? T(-x) : x; }
+
   static Group resting_group() {
     const Lanes zero(T(0)), one(T(1));
     const Vec3<Lanes> nothing(zero, zero, zero);
@@ -112,6 +147,11 @@ class StoneBatch {
 
   std::size_t count_;
   std::vector<Group> groups_;
+  // No stone that was ever set had more.
+  T fastest_ = T(0);        // [rad/s] of turning, precession and spin added up
+  T greatest_rate_ = T(1);  // of its rates [1/(kg m²)]
+  T reach_ = T(0);          // [m] of a coordinate
+  T speed_ = T(0);          // [m/s]
 };
 
 }  // namespace goishi

@@ -100,7 +100,8 @@ struct Jacobi {
 
 /// Jacobi's elliptic functions of one modulus, and its quarter period K, from the complementary parameter m₁ = 1 − m,
 /// by descending Landen transformations.
-/// Domain  0 < m₁ <= 1.   Error  absolute, claim ELLIPTIC-1.
+/// Domain  0 < m₁ <= 1, |u| <= K.   Error  absolute, claim ELLIPTIC-1; what cn and dn have of it where m₁ makes them small is
+///         as small (ELLIPTIC-3).
 template <Ordered T>
 class JacobiFunctions {
  public:
@@ -112,6 +113,7 @@ class JacobiFunctions {
       if (!(std::numeric_limits<T>::epsilon() < k)) {
         break;
       }
+      rest_[levels_] = T(2) * b / sum;
       k_[levels_++] = k;
       b = scalar::sqrt(T(a * b));
       a = sum / T(2);
@@ -125,10 +127,11 @@ class JacobiFunctions {
     const T angle = mean_ * u;
     T s = scalar::sin(angle), c = scalar::cos(angle), d(1);
     for (std::size_t i = levels_; i-- > 0;) {
-      const T ks2 = k_[i] * s * s;
-      const T over = T(1) / (T(1) + ks2);
+      const T s2 = s * s, c2 = c * c;
+      const T over = T(1) / (T(1) + k_[i] * s2);
+      const T less = s2 < c2 ? T(T(1) - k_[i] * s2) : T(rest_[i] + k_[i] * c2);  // the same, by what is known better
       c = c * d * over;
-      d = (T(1) - ks2) * over;
+      d = less * over;
       s = (T(1) + k_[i]) * s * over;
     }
     return {.sn = s, .cn = c, .dn = d};
@@ -137,6 +140,7 @@ class JacobiFunctions {
  private:
   static constexpr std::size_t most_levels = 24;
   std::array<T, most_levels> k_ = {};
+  std::array<T, most_levels> rest_ = {};  // 1 − k
   std::size_t levels_ = 0;
   T mean_ = scalar::unset<T>();
 };

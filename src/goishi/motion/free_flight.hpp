@@ -9,7 +9,7 @@
 
 namespace goishi {
 
-/// What free rotation asks of a body with a symmetry axis. Made by `formula::top_rates`, once per body.
+/// What free rotation asks of a body with a symmetry axis. Made by `make_top_rates`, once per body.
 template <class T>
 struct TopRates {
   T precession = scalar::unset<T>();  // 1/I_t [1/(kg m²)]
@@ -93,24 +93,36 @@ template <Ordered T>
   return formula::axial_momentum(q_WB, L_W);
 }
 
+template <Ordered T>
+void require_counted(const State<T>& state, const T& t) {
+  const Vec3<T>&p = state.p_WB, &v = state.v_WB;
+  const T sum = ((p.x() + p.y()) + (p.z() + v.x())) + (v.y() + v.z());
+  require(T(0) < state.q_WB.squaredNorm() && scalar::is_finite(sum), "time", t,
+          "must not take the body farther than its arithmetic can count");
+}
+
 }  // namespace detail
 
 /// What of the motion a scene needs. The talk's dynamics demo shows the three of them.
 enum class Freedom { linear, angular, both };
 
 /// The rates of a body with a symmetry axis, to be kept where many of its flights are asked for.
-/// Domain  0 < I_a <= 2 I_t, finite, else InvalidArgument.
+/// Domain  0 < I_a <= 2 I_t, finite, and so the rates; else InvalidArgument.
 template <Ordered T>
 [[nodiscard]] TopRates<T> make_top_rates(const Moments<T>& moments) {
   require_physical(moments);
-  return formula::top_rates(moments);
+  const TopRates<T> rates = formula::top_rates(moments);
+  require(scalar::is_finite(T(rates.precession + rates.spin)), "axial", moments.axial,
+          "must not be so small that its inverse is no number");
+  return rates;
 }
 
 /// The state of a stone after it has flown freely for a time t, in closed form. Gravity is the vector in W
 /// (`gravity_W()`).
 ///
 /// Domain  a finite state whose attitude is a unit quaternion; rates of `make_top_rates`; finite gravity; any finite t,
-///         negative ones too, that does not overflow; else InvalidArgument.
+///         negative ones too, with which position, velocity, t/I and the squares of the angles do not overflow (DOMAIN-5); else
+///         InvalidArgument.
 /// Error   attitude <= 8 ε (1 + |L| t / I_t + |ω_z t (1 − I_a/I_t)|) rad for I_a >= I_t/1000, thinner needles lose in
 ///         proportion (FLIGHT-1); |L| within 16 ε, energy of rotation within 16 ε √max(1, I_t/I_a), for every t (FLIGHT-2).
 /// Cost    two pairs of sine and cosine, one root.
@@ -127,8 +139,7 @@ template <Ordered T>
     const T axial_momentum = detail::axial_momentum(state.q_WB, state.L_W, rates);
     result.q_WB = formula::free_rotation(state.q_WB, state.L_W, axial_momentum, rates, t);
   }
-  require(T(0) < result.q_WB.squaredNorm() && scalar::is_finite(T(result.p_WB.sum())), "time", t,
-          "must not take the body farther than its arithmetic can count");
+  detail::require_counted(result, t);
   return result;
 }
 

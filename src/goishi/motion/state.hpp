@@ -29,7 +29,7 @@ struct RigidBody {
 
 /// Domain  mass > 0; moments > 0, none above the sum of the other two; all finite; else InvalidArgument.
 template <Ordered T>
-[[nodiscard]] RigidBody<T> make_rigid_body(const T& mass, const Vec3<T>& moments) {
+[[nodiscard]] RigidBody<T> make_rigid_body(const std::type_identity_t<T>& mass, const Vec3<T>& moments) {
   require_positive("mass", mass);
   const char* broken = broken_inertia_rule(moments);
   if (broken != nullptr) {
@@ -40,7 +40,7 @@ template <Ordered T>
 
 /// Domain  mass > 0, 0 < I_a <= 2 I_t; all finite; else InvalidArgument.
 template <Ordered T>
-[[nodiscard]] RigidBody<T> make_rigid_body(const T& mass, const Moments<T>& moments) {
+[[nodiscard]] RigidBody<T> make_rigid_body(const std::type_identity_t<T>& mass, const Moments<T>& moments) {
   require_positive("mass", mass);
   require_physical(moments);
   return {.mass = mass, .moments = {moments.transverse, moments.transverse, moments.axial}};

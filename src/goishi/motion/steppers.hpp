@@ -106,7 +106,7 @@ struct Stepped {
 template <Ordered T>
 class Stepper {
  public:
-  /// Domain  a body of `make_rigid_body`; one with I_x = I_y if the scheme needs symmetry; finite gravity; else
+  /// Domain  one of the nine schemes; a body of `make_rigid_body`; one with I_x = I_y if the scheme needs symmetry; finite gravity; else
   ///         InvalidArgument.
   Stepper(Scheme scheme, const RigidBody<T>& body, const Vec3<T>& gravity = gravity_W<T>(),
           Freedom freedom = Freedom::both)
@@ -115,6 +115,8 @@ class Stepper {
         inverse_moments_(body.moments.cwiseInverse()),
         gravity_(gravity),
         freedom_(freedom) {
+    require(Scheme::published <= scheme && scheme <= Scheme::exact, "scheme", static_cast<int>(scheme),
+            "must be one of the nine");
     require(scalar::is_finite(T(gravity.sum())), "gravity", gravity.norm(), "must be finite");
     const T& x = body.moments.x();
     const T& y = body.moments.y();

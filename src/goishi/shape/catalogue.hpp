@@ -104,5 +104,8 @@ template <Ordered T = double>
 [[nodiscard]] Stone<T> make_stone(const CatalogueStone& entry, const T& bevel = T(0)) {
   return make_stone(metres<T>(entry.width), metres<T>(entry.height), bevel);
 }
+[[nodiscard]] inline Stone<double> make_stone(const CatalogueStone& entry, std::integral auto bevel) {
+  return make_stone<double>(entry, static_cast<double>(bevel));
+}
 
 }  // namespace goishi

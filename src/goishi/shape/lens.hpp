@@ -38,8 +38,8 @@ namespace detail {
 
 template <Ordered T>
 void require_lens(const char* width_name, const T& width, const T& height) {
-  require_positive(width_name, width);
-  require_positive("height", height);
+  require_length(width_name, width);
+  require_length("height", height);
   require(!(width < height), "height", height, "must not exceed the ", width_name, " (", width, ")");
 }
 

@@ -91,14 +91,17 @@ namespace detail {
 template <Ordered T>
 void require_bevel(const T& bevel, const T& height) {
   require(!(bevel < T(0)) && bevel < height, "bevel", bevel, "must be at least 0 and below the height (", height, ")");
+  if (T(0) < bevel) {
+    require_length("bevel", bevel);
+  }
 }
 
-/// A stone so thin that T does not hold its sphere's radius is refused.
-template <class T, class Wide>
-[[nodiscard]] Stone<T> rounded(const Stone<Wide>& stone) {
-  const Stone<T> result = stone_cast<T>(stone);
-  require(scalar::is_finite(result.sphere_radius), "height", result.height, "must give the caps a finite radius");
-  return result;
+/// The stone in T. Its greatest length, the radius of the spheres, must be one that formulas take.
+template <Ordered T, class Wide>
+[[nodiscard]] Stone<T> checked_stone(const Stone<Wide>& wide) {
+  const Stone<T> stone = stone_cast<T>(wide);
+  require_length("sphere_radius", stone.sphere_radius);
+  return stone;
 }
 
 }  // namespace detail
@@ -106,24 +109,32 @@ template <class T, class Wide>
 /// The talk's stone: a lens of width w and height h, its rim then bevelled with height b. Bevelling shrinks it: the
 /// finished stone is `outer_width` = 2(r₁ + r₂) < w wide.
 ///
-/// Domain  0 < h <= w, 0 <= b < h, a finite r = (w² + h²)/(4h); else InvalidArgument.   Limits  h = w is the ball, b = 0 the
-///         sharp lens: ordinary.
+/// Domain  0 < h <= w, 0 <= b < h, lengths as of `require_length`, b and the radius (w² + h²)/(4h) of the spheres, too; else
+///         InvalidArgument.   Limits  h = w is the ball, b = 0 the sharp lens: ordinary.
 /// Error   each field within 1 ulp (float, double) for h/w from 1e-9 to 1, b/h from 1e-12 to 1 − 1e-9 (claims SHAPE-1,
-///         SHAPE-2).
+///         SHAPE-2); beyond, and to the ends of the domain, within 2 (DOMAIN-1).
 template <Ordered T>
 [[nodiscard]] Stone<T> make_stone(const T& width, const T& height, const T& bevel = T(0)) {
   using Wide = scalar::wider_t<T>;
   detail::require_lens("width", width, height);
   detail::require_bevel(bevel, height);
   const Wide w(width), h(height), b(bevel);
-  return detail::rounded<T>(T(0) < bevel ? formula::bevelled_stone(w, h, b, formula::sphere_offset(w, h))
-                                         : formula::sharp_stone(w, h));
+  return detail::checked_stone<T>(T(0) < bevel ? formula::bevelled_stone(w, h, b, formula::sphere_offset(w, h))
+                                               : formula::sharp_stone(w, h));
+}
+
+/// The same where some of the lengths, or all, are whole numbers (`scalar::promoted_t`).
+template <class W, class H, class B = int>
+requires scalar::detail::AnyInteger<W, H, B>
+[[nodiscard]] Stone<scalar::promoted_t<W, H, B>> make_stone(const W& width, const H& height, const B& bevel = 0) {
+  using T = scalar::promoted_t<W, H, B>;
+  return make_stone<T>(T(width), T(height), T(bevel));
 }
 
 /// The customer's stone: the *finished* stone is `outer_width` wide and `height` thick, with a bevel band of height b.
 /// `width` of the result is that of the generating lens, which is wider.
 ///
-/// Domain  0 < h <= outer width, 0 <= b < h, a finite r; else InvalidArgument.
+/// Domain  0 < h <= outer width, 0 <= b < h, lengths as of `make_stone`; else InvalidArgument.
 /// Error   each field within 1 ulp (float, double), over the domain of `make_stone` (claim SHAPE-3).
 template <Ordered T>
 [[nodiscard]] Stone<T> make_measured_stone(const T& outer_width, const T& height, const T& bevel) {
@@ -135,7 +146,16 @@ template <Ordered T>
   }
   const Wide h(height), b(bevel);
   const Wide offset = formula::measured_sphere_offset(Wide(outer_width), h, b);
-  return detail::rounded<T>(formula::bevelled_stone(formula::generating_width(h, offset), h, b, offset));
+  return detail::checked_stone<T>(formula::bevelled_stone(formula::generating_width(h, offset), h, b, offset));
+}
+
+/// The same where some of the lengths, or all, are whole numbers.
+template <class W, class H, class B>
+requires scalar::detail::AnyInteger<W, H, B>
+[[nodiscard]] Stone<scalar::promoted_t<W, H, B>> make_measured_stone(const W& outer_width, const H& height,
+                                                                     const B& bevel) {
+  using T = scalar::promoted_t<W, H, B>;
+  return make_measured_stone<T>(T(outer_width), T(height), T(bevel));
 }
 
 /// Diameter of the finished stone   [m]: 2 (r₁ + r₂).

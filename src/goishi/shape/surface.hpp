@@ -147,7 +147,8 @@ void require_point(const Vec3<T>& p, const char* argument = "point") {
 /// The support of a stone in the unit direction n_B.
 ///
 /// Domain  |n| = 1 within `unit_tolerance`, else InvalidArgument.
-/// Error   value and point within 1e-15 of the width (claim SURFACE-1).
+/// Error   value and point within 1e-15 of the width (claim SURFACE-1), and as much more as n is off a unit vector; stones of
+///         any size (DOMAIN-4).
 /// Proof   derivations/support.cpp: the maximiser on cap and rim, C¹ at the switch.
 template <Ordered T>
 [[nodiscard]] Support<T> support(const Stone<T>& stone, const Vec3<T>& n_B) {
@@ -167,13 +168,18 @@ struct SurfacePoint {
 
 /// Signed distance, closest point, normal and feature.
 ///
-/// Domain  a finite point, else InvalidArgument. Where the closest point or the normal is not unique (the middle plane
+/// Domain  a point whose square is finite, else InvalidArgument. Where the closest point or the normal is not unique (the middle plane
 ///         inside, a sharp edge, a ball's centre), one of them is given and the result says so.
-/// Error   distance and point within 1e-15 of the greater of width and |p| (claim SURFACE-2).
+/// Error   distance and point within 1e-15 of the greater of width and |p| (claim SURFACE-2); stones of any size, points from
+///         0 on (DOMAIN-4).
 template <Ordered T>
 [[nodiscard]] SurfacePoint<T> closest_point(const Stone<T>& stone, const Vec3<T>& p_B) {
-  detail::require_point(p_B);
-  const T rho = scalar::sqrt(T(scalar::sq(p_B.x()) + scalar::sq(p_B.y())));
+  const T across = scalar::sq(p_B.x()) + scalar::sq(p_B.y());
+  if (!(across + scalar::sq(p_B.z()) < std::numeric_limits<T>::max() / T(4))) [[unlikely]] {
+    detail::require_point(p_B);
+    throw_invalid("point", p_B.cwiseAbs().maxCoeff(), "must have a square that is finite (greatest coordinate shown)");
+  }
+  const T rho = scalar::sqrt(across);
   const bool upper = !(p_B.z() < T(0));
   const T zeta = upper ? p_B.z() : T(-p_B.z());
   const T& rim = stone.bevel_major_radius;
