@@ -38,10 +38,11 @@ enum class ImpactStatus {
 namespace formula {
 
 /// The most that a turning stone adds to |H''|, H its gap along a normal   [m/s²]: d Ω² √(B² + C²), where the axis stands
-/// to the normal as u · n = A + B cos Ωt + C sin Ωt.   Proof  derivations/support.cpp.
+/// to the normal as u · n = A + B cos Ωt + C sin Ωt, and d is the greatest slope of the support, |S'|: the sphere's offset.
+/// Proof  derivations/support.cpp.
 template <Elementary T>
-[[nodiscard]] T greatest_bend(const T& sphere_offset, const T& rate, const T& B, const T& C) {
-  return T(sphere_offset * scalar::sq(rate) * scalar::sqrt(T(scalar::sq(B) + scalar::sq(C))));
+[[nodiscard]] T greatest_bend(const T& slope, const T& rate, const T& B, const T& C) {
+  return T(slope * scalar::sq(rate) * scalar::sqrt(T(scalar::sq(B) + scalar::sq(C))));
 }
 
 }  // namespace formula
@@ -122,6 +123,7 @@ class GapAlong {
     parts_[static_cast<std::size_t>(count_++)] = part;
     const T swing = scalar::sqrt(T(scalar::sq(part.B) + scalar::sq(part.C)));
     bend_ = bend_ + formula::greatest_bend(part.stone->sphere_offset, part.rate, part.B, part.C);
+    is_loose_ = is_loose_ || T(8) * part.stone->bevel_major_radius < part.stone->sphere_offset;
     const T least = magnitude_of(part.A) - swing;
     highest_ = highest_ + support_at(*part.stone, least < T(0) ? T(0) : least);
   }
@@ -152,6 +154,25 @@ class GapAlong {
 
   [[nodiscard]] const T& bend() const { return bend_; }
 
+  /// Whether `bend` says little of a thin stone that flies tilted: it has the caps' slope, d, and the rim's is far below.
+  [[nodiscard]] bool is_loose() const { return is_loose_; }
+
+  /// A bound of −H'' from t to t + s: as `bend`, by the slopes that the axis comes to in that time.
+  [[nodiscard]] T bend_within(const T& t, const T& s) const {
+    T bend = c2_ < T(0) ? T(-c2_) : T(0);
+    for (int i = 0; i < count_; ++i) {
+      const Wobble<T>& part = parts_[static_cast<std::size_t>(i)];
+      const T angle = part.rate * t, swing = scalar::sqrt(T(scalar::sq(part.B) + scalar::sq(part.C)));
+      const T now = magnitude_of(T(part.A + part.B * scalar::cos(angle) + part.C * scalar::sin(angle)));
+      const T later = now + swing * magnitude_of(part.rate) * s, most = magnitude_of(part.A) + swing;
+      const Direction<T> n = seen(later < most ? later : most);
+      const T slope = meets_cap(*part.stone, n) ? part.stone->sphere_offset
+                                                : T(part.stone->bevel_major_radius * n.axial / n.radial);
+      bend = bend + formula::greatest_bend(slope, part.rate, part.B, part.C);
+    }
+    return bend;
+  }
+
   /// The next time, from t, at which the centres are so near that the bodies could touch, to `nothing`: t itself, or when
   /// the parabola comes down to the highest support that the wobbles reach; infinity when it does not.
   [[nodiscard]] T within_reach(const T& t, const T& nothing) const {
@@ -170,6 +191,7 @@ class GapAlong {
 
   T c0_, c1_, c2_;
   T bend_ = T(0), highest_ = T(0);
+  bool is_loose_ = false;
   std::array<Wobble<T>, 2> parts_ = {};
   int count_ = 0;
 };
@@ -179,6 +201,21 @@ class GapAlong {
 template <Ordered T>
 [[nodiscard]] T safe_step(const T& gap, const T& rate, const T& bend) {
   return falling_time(gap, rate, T(-bend));
+}
+
+/// The same where the bend of a whole flight says little: doubled as often as the bend within that time allows.
+template <Ordered T>
+[[nodiscard]] T safe_step_within(const GapAlong<T>& gap, const T& t, const T& height, const T& rate) {
+  constexpr int most_doublings = 60;
+  T step = safe_step(height, rate, gap.bend());
+  for (int i = 0; i < most_doublings; ++i) {
+    const T longer = T(2) * step, safe = safe_step(height, rate, gap.bend_within(t, longer));
+    if (!(longer <= safe)) {
+      return step < safe ? safe : step;
+    }
+    step = longer;
+  }
+  return step;
 }
 
 /// How the search for a root ended.
@@ -231,7 +268,9 @@ template <Ordered T>
       return {ImpactStatus::hit, touch, steps};
     }
     // On the surface and leaving it: the step is what it takes for the gap to come back at the earliest.
-    const T step = safe_step(T(0) < now.gap ? now.gap : T(0), now.rate, gap.bend());
+    const T height = T(0) < now.gap ? now.gap : T(0);
+    const T step =
+        gap.is_loose() ? safe_step_within(gap, t, height, now.rate) : safe_step(height, now.rate, gap.bend());
     const T next = t + step;
     if (!(t < next)) {
       return hit_or_lost(now, t, sure, steps);
