@@ -113,9 +113,10 @@ template <Ordered T>
   return step2 <= T(4096) * epsilon && step2 * scalar::sq(step2) <= scalar::sq(T(T(256) * epsilon * previous2));
 }
 
-/// The normal of a point turned by a step that is the last.
+/// The normal of a point turned by a step that is the last, and the separation that it gains.
 template <Ordered T>
 void finish(ArcPoint<T>& point, const T& step) {
+  point.value = point.value + point.slope * step / T(2);
   const T over = T(1) / scalar::sqrt(T(T(1) + scalar::sq(step)));
   const T a = over * (point.a - step * point.b), b = over * (point.b + step * point.a);
   point.a = a;

@@ -148,7 +148,7 @@ template <Ordered T>
 /// Separation of a stone and the board.
 ///
 /// Domain  a finite pose with a unit attitude, a board of `make_board`; else InvalidArgument. A stone inside the board is
-///         ordinary: the shortest way out. So are lengths of any magnitude (claim DOMAIN-CONTACT-2).
+///         ordinary: the shortest way out. So are lengths of any magnitude (claim DOMAIN-CONTACT-1).
 /// Error   gap within 1e-13 of the width (claims CONTACT-2, CONTACT-3), and as a distance at the board's own: 4 ε of the
 ///         board and of where the stone is.
 /// Cost    what is near decides: over the middle of the surface one support; near an edge one search over a quarter circle;

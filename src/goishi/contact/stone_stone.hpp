@@ -170,7 +170,7 @@ template <Ordered T>
 /// Separation of two stones; n points from the second to the first.
 ///
 /// Domain  finite poses with unit attitudes, else InvalidArgument. Coincident centres are ordinary; so are stones and
-///         distances of any magnitude (claim DOMAIN-CONTACT-3).
+///         distances of any magnitude (claims DOMAIN-CONTACT-1, 2).
 /// Certificate  `certified` in the result. Separated, or overlapping by no more than the bevels: the distance of the two
 ///         core points is the separation of the cores (primal = dual). Cores that overlap: every stationary normal was
 ///         looked at; not certified where that takes too many steps (rims that all but touch along their tangents), and the
