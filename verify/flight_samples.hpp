@@ -78,7 +78,7 @@ template <class T>
 }
 
 /// From rest and 1e-6 rad/s to 1000 rad/s, for up to ±1e6 s (float: ±100 s); moments of any size, down to momenta of
-/// 1e-300 (float: 1e-36). Sample i visits the strata in turn.
+/// 1e-300 (float: 1e-36); at exact attitudes and any. Sample i visits the strata in turn.
 template <class T>
 [[nodiscard]] Top<T> draw_top(std::mt19937_64& random, int i) {
   constexpr bool single = std::numeric_limits<T>::digits < 30;
@@ -94,6 +94,9 @@ template <class T>
   const T speed = i % 41 == 40 ? T(0) : static_cast<T>(std::fabs(draw_decades(random, low, 3.0)));
   const Vec3<T> w_B = speed * draw_direction<T>(random, i / 6);
   Quat<T> q_WB = draw_attitude(random).template cast<T>().normalized();
+  if (i % 11 == 5) {
+    q_WB = exact_attitudes[static_cast<std::size_t>(i / 11) % exact_attitudes.size()].template cast<T>();
+  }
   if (i % 3 == 1) {  // as far off the unit sphere as is let through, or nearly
     q_WB.coeffs() *= T(1) + (i % 2 == 0 ? T(30) : T(-30)) * std::numeric_limits<T>::epsilon();
   }

@@ -37,7 +37,8 @@ struct Flight {
 enum class BodyKind { symmetric, asymmetric, near_separatrix };
 inline constexpr std::array body_kinds = {BodyKind::symmetric, BodyKind::asymmetric, BodyKind::near_separatrix};
 
-/// Moments and momentum of order 1, none of the axes favoured. Symmetric bodies have I_a/I_t from 0.2 to 1.9. Near the
+/// Moments and momentum of order 1, none of the axes favoured. Symmetric bodies have I_a/I_t from 0.2 to 1.9. One in eight starts at the
+/// origin, at an exact attitude, turning about an axis to the bit. Near the
 /// separatrix the momentum is 10⁻¹ … 10⁻² off the axis of the middle moment, about which the body tumbles.
 [[nodiscard]] inline Flight draw_flight(std::mt19937_64& random, BodyKind kind) {
   const auto uniform = [&](double low, double high) {
@@ -63,6 +64,14 @@ inline constexpr std::array body_kinds = {BodyKind::symmetric, BodyKind::asymmet
     const double size = L_B.norm();
     L_B *= std::pow(10.0, -uniform(1.0, 2.0));
     L_B[middle] = size;
+  }
+  if (kind != BodyKind::near_separatrix && random() % 8 == 0) {  // about an axis to the bit, but not the middle one
+    int axis = 0;
+    static_cast<void>(random() % 2 == 0 ? moments.maxCoeff(&axis) : moments.minCoeff(&axis));
+    const Quat<double>& q = exact_attitudes[random() % exact_attitudes.size()];
+    L_B = (random() % 2 == 0 ? 1.0 : -1.0) * L_B.norm() * Vec3<double>::Unit(axis);
+    return {.body = make_rigid_body(mass, moments),
+            .start = {.p_WB = Vec3<double>::Zero(), .q_WB = q, .v_WB = draw_vector(random, 2.0), .L_W = q * L_B}};
   }
   return {
       .body = make_rigid_body(mass, moments),

@@ -2,6 +2,7 @@
 /// \file
 /// The one stratified list of shapes that accuracy, laws and quadrature draw from.
 
+#include <array>
 #include <cmath>
 #include <goishi/rotation.hpp>
 #include <goishi/shape/catalogue.hpp>
@@ -71,6 +72,11 @@ template <class T>
   const double h = w * (0.05 + 0.93 * unit(random));
   return {w, h, h * (0.01 + 0.94 * unit(random))};
 }
+
+/// Attitudes to the bit: the identity, half turns, thirds of a turn. Their products with a vector are exact.
+inline const std::array<Quat<double>, 6> exact_attitudes = {
+    Quat<double>(1.0, 0.0, 0.0, 0.0), Quat<double>(0.0, 1.0, 0.0, 0.0),  Quat<double>(0.0, 0.0, -1.0, 0.0),
+    Quat<double>(0.5, 0.5, 0.5, 0.5), Quat<double>(0.5, -0.5, 0.5, 0.5), Quat<double>(0.0, 0.0, 0.0, 1.0)};
 
 /// Evenly distributed over all attitudes.
 [[nodiscard]] inline Quat<double> draw_attitude(std::mt19937_64& random) {

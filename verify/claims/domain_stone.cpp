@@ -102,7 +102,7 @@ Measurement stones_of(Context& context, Worst& worst, int count) {
     if (T(0) < shape.height && shape.bevel < shape.height) {
       exact = make(w, h, b);
     }
-    const bool refusable = !exact || !is_length<T>(w) || !is_length<T>(h) || (b > 0 && !is_length<T>(b)) ||
+    const bool refusable = !exact || !is_length<T>(w) || !is_length<T>(h) || (b > 0 && !holds<T>(b)) ||
                            !is_length<T>(exact->sphere_radius);
     const int mode = rounding_modes[static_cast<std::size_t>(i / 5) % rounding_modes.size()];
     const auto answer = answer_of(mode, [&] { return make(shape.width, shape.height, shape.bevel); });

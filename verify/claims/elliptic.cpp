@@ -107,11 +107,6 @@ struct Problem {
   }
 };
 
-/// Attitudes whose products with a vector are exact.
-const std::array<Quat<double>, 6> exact_attitudes = {
-    Quat<double>(1.0, 0.0, 0.0, 0.0), Quat<double>(0.0, 1.0, 0.0, 0.0),  Quat<double>(0.0, 0.0, -1.0, 0.0),
-    Quat<double>(0.5, 0.5, 0.5, 0.5), Quat<double>(0.5, -0.5, 0.5, 0.5), Quat<double>(0.0, 0.0, 0.0, 1.0)};
-
 /// All orders of three moments; two that are equal, or are so but for an ulp; three; a lamina.
 const std::array<Vec3<double>, 12> exact_moments = {Vec3<double>(1.0, 2.0, 3.0),
                                                     Vec3<double>(1.0, 3.0, 2.0),

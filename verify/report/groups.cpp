@@ -22,7 +22,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 22> titles =
     {"TENSOR", "The inertia tensor about any point, in any frame"},
     {"TABLE", "The inertia table and the catalogue of sizes"},
     {"PUBLISHED", "What was published, and what is right"},
-    {"MESH", "Meshes"},
+    {"DOMAIN", "To the ends of what is said to be taken"},
     {"FLIGHT", "Free flight against Odeint"},
     {"ELLIPTIC", "Free flight without a symmetry axis"},
     {"BATCH", "Many stones at once"},

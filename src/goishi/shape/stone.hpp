@@ -91,9 +91,8 @@ namespace detail {
 template <Ordered T>
 void require_bevel(const T& bevel, const T& height) {
   require(!(bevel < T(0)) && bevel < height, "bevel", bevel, "must be at least 0 and below the height (", height, ")");
-  if (T(0) < bevel) {
-    require_length("bevel", bevel);
-  }
+  require(!(T(0) < bevel) || scalar::tiny<T>() <= bevel, "bevel", bevel,
+          "must be 0 or not below the least normal number");
 }
 
 /// The stone in T. Its greatest length, the radius of the spheres, must be one that formulas take.
@@ -109,8 +108,8 @@ template <Ordered T, class Wide>
 /// The talk's stone: a lens of width w and height h, its rim then bevelled with height b. Bevelling shrinks it: the
 /// finished stone is `outer_width` = 2(r₁ + r₂) < w wide.
 ///
-/// Domain  0 < h <= w, 0 <= b < h, lengths as of `require_length`, b and the radius (w² + h²)/(4h) of the spheres, too; else
-///         InvalidArgument.   Limits  h = w is the ball, b = 0 the sharp lens: ordinary.
+/// Domain  0 < h <= w, b = 0 or a normal number below h, the others lengths as of `require_length`, and the radius
+///         (w² + h²)/(4h) of the spheres, too; else InvalidArgument.   Limits  h = w is the ball, b = 0 the sharp lens: ordinary.
 /// Error   each field within 1 ulp (float, double) for h/w from 1e-9 to 1, b/h from 1e-12 to 1 − 1e-9 (claims SHAPE-1,
 ///         SHAPE-2); beyond, and to the ends of the domain, within 2 (DOMAIN-1).
 template <Ordered T>
