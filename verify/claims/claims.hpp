@@ -23,21 +23,21 @@ namespace goishi::verify {
 [[nodiscard]] std::vector<Claim> table_claims();             // TABLE: the generated inertia table, certified
 [[nodiscard]] std::vector<Claim> published_claims();         // PUBLISHED: the talk's numbers, reproduced and refuted
 [[nodiscard]] std::vector<Claim> flight_claims();  // FLIGHT, BATCH: the exact flight against Odeint, and what it keeps
-[[nodiscard]] std::vector<Claim> elliptic_claims();          // ELLIPTIC: the exact flight of an asymmetric body
-[[nodiscard]] std::vector<Claim> motion_law_claims();        // MOTION: time reversal, rotated worlds, scaling, frames
-[[nodiscard]] std::vector<Claim> order_claims();             // ORDER: the steppers' orders, drift, divergence
-[[nodiscard]] std::vector<Claim> case_claims();              // CASE: published cases of rigid-body motion
-[[nodiscard]] std::vector<Claim> published_motion_claims();  // PUBLISHED: the talk's loops, and how far they are off
-[[nodiscard]] std::vector<Claim> surface_claims();           // SURFACE: support, distance, rays
-[[nodiscard]] std::vector<Claim> surface_law_claims();       // SURFACE: what holds for any convex body of revolution
-[[nodiscard]] std::vector<Claim> board_claims();             // BOARD: regions, rays
-[[nodiscard]] std::vector<Claim> contact_claims();           // CONTACT: plane and board against 50 digits and search
-[[nodiscard]] std::vector<Claim> contact_pair_claims();      // CONTACT: two stones against search
-[[nodiscard]] std::vector<Claim> contact_point_claims();     // CONTACT: normals and contact points
-[[nodiscard]] std::vector<Claim> contact_law_claims();       // CONTACT: moved and mirrored worlds, a million poses
+[[nodiscard]] std::vector<Claim> elliptic_claims();           // ELLIPTIC: the exact flight of an asymmetric body
+[[nodiscard]] std::vector<Claim> motion_law_claims();         // MOTION: time reversal, rotated worlds, scaling, frames
+[[nodiscard]] std::vector<Claim> order_claims();              // ORDER: the steppers' orders, drift, divergence
+[[nodiscard]] std::vector<Claim> case_claims();               // CASE: published cases of rigid-body motion
+[[nodiscard]] std::vector<Claim> published_motion_claims();   // PUBLISHED: the talk's loops, and how far they are off
+[[nodiscard]] std::vector<Claim> surface_claims();            // SURFACE: support, distance, rays
+[[nodiscard]] std::vector<Claim> surface_law_claims();        // SURFACE: what holds for any convex body of revolution
+[[nodiscard]] std::vector<Claim> board_claims();              // BOARD: regions, rays
+[[nodiscard]] std::vector<Claim> contact_claims();            // CONTACT: plane and board against 50 digits and search
+[[nodiscard]] std::vector<Claim> contact_pair_claims();       // CONTACT: two stones against search
+[[nodiscard]] std::vector<Claim> contact_point_claims();      // CONTACT: normals and contact points
+[[nodiscard]] std::vector<Claim> contact_law_claims();        // CONTACT: moved and mirrored worlds, a million poses
 [[nodiscard]] std::vector<Claim> contact_lipschitz_claims();  // CONTACT: a gap changes by no more than the stone moves
 [[nodiscard]] std::vector<Claim> domain_contact_claims();     // DOMAIN-CONTACT: to the ends of what is stated
-[[nodiscard]] std::vector<Claim> time_of_impact_claims();    // TOI: a plane; where a flight starts
+[[nodiscard]] std::vector<Claim> time_of_impact_claims();     // TOI: a plane; where a flight starts
 [[nodiscard]] std::vector<Claim> time_of_impact_body_claims();    // TOI: the board, another flying stone
 [[nodiscard]] std::vector<Claim> time_of_impact_odeint_claims();  // TOI: against Odeint with events
 [[nodiscard]] std::vector<Claim> published_contact_claims();      // PUBLISHED: the talk's test, push-out and support

@@ -64,6 +64,7 @@ class OrderedBall {
   }
   friend bool operator>(const Self& x, const Self& y) { return y < x; }
   friend bool operator>=(const Self& x, const Self& y) { return y <= x; }
+  friend Self abs(const Self& x) { return x < Self(0) ? Self(-x) : x; }
   friend std::ostream& operator<<(std::ostream& out, const Self& x) { return out << static_cast<double>(x.ball_); }
 
   [[nodiscard]] const Ball& ball() const { return ball_; }
@@ -112,6 +113,7 @@ struct std::numeric_limits<goishi::verify::OrderedBall> {
   static constexpr int digits10 = 75;
   static goishi::verify::OrderedBall epsilon() { return power_of_two(-250); }
   static goishi::verify::OrderedBall min() { return power_of_two(-100000); }
+  static goishi::verify::OrderedBall max() { return power_of_two(100000); }
 
  private:
   static goishi::verify::OrderedBall power_of_two(int exponent) {

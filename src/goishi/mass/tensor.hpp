@@ -57,8 +57,9 @@ template <Ordered T>
   const Mat3<T> about_centre = formula::rotated_tensor(formula::principal_tensor(body.moments), rotation_matrix(q_WB));
   const Mat3<T> result = formula::shifted_tensor(about_centre, body.mass, p_WB);
   const T most = std::numeric_limits<T>::max() / T(4);
-  require(p_WB.squaredNorm() < most && result.cwiseAbs().maxCoeff() < most, "position", p_WB.cwiseAbs().maxCoeff(),
-          "must be finite, and its square times the mass, too (greatest coordinate shown)");
+  // No entry of the tensor of a body exceeds its trace.
+  require(p_WB.squaredNorm() < most && result.trace() < most, "position", p_WB.transpose(),
+          "must be finite, and its square times the mass, too");
   return result;
 }
 
