@@ -11,9 +11,11 @@
 
 namespace goishi::detail {
 
+/// Refers to its stones, which must outlive it.
 template <class T>
 struct Pair {
-  Placed<T> first, second;
+  const Placed<T>& first;
+  const Placed<T>& second;
   Vec3<T> between;  // D
   T scale;          // of what is rounded: thin stones have large spheres, whose round-off shows across the normal
 
@@ -62,6 +64,12 @@ void take_core_support(const Placed<T>& placed, const Vec3<T>& n, PairSide<T>& s
   z = z - (across * radial.z() + along * placed.u_W.z());
 }
 
+template <Ordered T>
+void measure_slope(PairPoint<T>& at) {
+  const Vec3<T> along = formula::plus(at.w, T(-at.g), at.n);
+  at.slope = scalar::sqrt(formula::dot(along, along));
+}
+
 /// Fills in what a pair looks like along the unit vector `at.n`, but for the slope.
 template <Ordered T>
 void meet_along(const Pair<T>& pair, PairPoint<T>& at) {
@@ -73,19 +81,22 @@ void meet_along(const Pair<T>& pair, PairPoint<T>& at) {
   at.g = x * n.x() + y * n.y() + z * n.z();
 }
 
+/// The same, and the slope.
 template <Ordered T>
 void look_along(const Pair<T>& pair, PairPoint<T>& at) {
   meet_along(pair, at);
-  const Vec3<T> along = formula::plus(at.w, T(-at.g), at.n);
-  at.slope = scalar::sqrt(formula::dot(along, along));
+  measure_slope(at);
 }
 
+/// Takes the unit normal n instead of `best` if it separates more.
 template <Ordered T>
-[[nodiscard]] PairPoint<T> pair_point(const Pair<T>& pair, const Vec3<T>& n) {
+void raise(const Pair<T>& pair, const Vec3<T>& n, PairPoint<T>& best) {
   PairPoint<T> at;
   at.n = n;
-  look_along(pair, at);
-  return at;
+  meet_along(pair, at);
+  if (best.g < at.g) {
+    best = at;
+  }
 }
 
 /// Newton's step (H₁ + H₂ + g) δ = w across n: H = R on a cap; on the rim r₁/n_r along t = n × u/n_r, and none across it.
@@ -113,9 +124,9 @@ template <Ordered T>
   }
   // In the plane across n: e₁ = t of the first rim, e₂ = n × e₁.
   const T over = T(1) / rims[0]->seen.direction.radial;
-  const Vec3<T> t = at.n.cross(stones[0]->u_W);
-  const Vec3<T> e1(T(over * t.x()), T(over * t.y()), T(over * t.z()));
-  const Vec3<T> e2 = at.n.cross(e1);
+  const Vec3<T> t = formula::cross(at.n, stones[0]->u_W);
+  const Vec3<T> e1 = formula::scaled(over, t);
+  const Vec3<T> e2 = formula::cross(at.n, e1);
   T m11 = all + stones[0]->stone.bevel_major_radius * over, m12(0), m22 = all;
   if (count == 2) {
     // t₂ = n × u₂/n_r: its parts along e₁ and e₂ are those of −e₂ and e₁ along the radial part of n.
@@ -154,13 +165,14 @@ template <Ordered T>
   return formula::combination(s1, e1, s2, e2);
 }
 
-/// Climbs from `at` to a maximum of g. False if it does not get there.
+/// Climbs from `at`, met along its normal, to a maximum of g. False if it does not get there.
 template <Ordered T>
 [[nodiscard]] bool climb(const Pair<T>& pair, PairPoint<T>& at) {
   constexpr int most_steps = 60, most_halvings = 30;
   const T small = T(16) * std::numeric_limits<T>::epsilon() * pair.scale;
   PairPoint<T> other;
   PairPoint<T>*now = &at, *next = &other;
+  measure_slope(at);
   bool stationary = at.slope <= small;
   for (int i = 0; i < most_steps && !stationary; ++i) {
     const Vec3<T> step = newton_step(pair, *now);

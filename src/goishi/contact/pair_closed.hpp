@@ -24,11 +24,13 @@ template <Ordered T>
   return T(0) < beyond ? formula::combination(T(beyond / rho), radial, height, placed.u_W) : Vec3<T>(T(0), T(0), T(0));
 }
 
+// & and not && below: each condition is as good as random, and a branch for each would be guessed wrong.
+
 /// Whether a stone meets a normal v/|v| with the cap that looks along `sign` u.
 template <Ordered T>
 [[nodiscard]] bool meets_with_cap(const Placed<T>& placed, const T& sign, const Vec3<T>& v, const T& size2) {
   const T axial = sign * formula::dot(placed.u_W, v);
-  return T(0) <= axial && scalar::sq(placed.stone.joint_sine) * size2 <= scalar::sq(axial);
+  return (T(0) <= axial) & (scalar::sq(placed.stone.joint_sine) * size2 <= scalar::sq(axial));
 }
 
 template <Ordered T>
@@ -52,22 +54,25 @@ template <Ordered T>
   const Vec3<T> from_first = with_sphere(pair.between, pair.first, sign1);
   const Vec3<T> caps = with_sphere(from_first, pair.second, sign2);
   const T caps2 = formula::dot(caps, caps);
-  if (scalar::sq(T(R1 + R2)) < caps2 && meets_with_cap(pair.first, sign1, caps, caps2) &&
-      meets_with_cap(pair.second, sign2, caps, caps2)) {
+  const bool cap1 = meets_with_cap(pair.first, sign1, caps, caps2),
+             cap2 = meets_with_cap(pair.second, sign2, caps, caps2);
+  if ((scalar::sq(T(R1 + R2)) < caps2) & cap1 & cap2) {
     along = caps;
     return true;
   }
   const Vec3<T> rim2 = from_rim(from_first, pair.second);
   const T rim2_2 = formula::dot(rim2, rim2);
-  if (scalar::sq(R1) < rim2_2 && meets_with_cap(pair.first, sign1, rim2, rim2_2) &&
-      meets_with_rim(pair.second, rim2, rim2_2)) {
+  const bool on_cap1 = meets_with_cap(pair.first, sign1, rim2, rim2_2),
+             on_rim2 = meets_with_rim(pair.second, rim2, rim2_2);
+  if ((scalar::sq(R1) < rim2_2) & on_cap1 & on_rim2) {
     along = rim2;
     return true;
   }
   const Vec3<T> rim1 = from_rim(with_sphere(pair.between, pair.second, sign2), pair.first);
   const T rim1_2 = formula::dot(rim1, rim1);
-  if (scalar::sq(R2) < rim1_2 && meets_with_cap(pair.second, sign2, rim1, rim1_2) &&
-      meets_with_rim(pair.first, rim1, rim1_2)) {
+  const bool on_cap2 = meets_with_cap(pair.second, sign2, rim1, rim1_2),
+             on_rim1 = meets_with_rim(pair.first, rim1, rim1_2);
+  if ((scalar::sq(R2) < rim1_2) & on_cap2 & on_rim1) {
     along = rim1;
     return true;
   }
@@ -89,14 +94,14 @@ void turn_to_nearest_rims(const Pair<T>& pair, Vec3<T>& along) {
   for (int i = 0; i < 2; ++i) {
     const Vec3<T>& u = stones[i]->u_W;
     c[i] = stones[i]->stone.bevel_major_radius;
-    f[i] = u.cross(along);
+    f[i] = formula::cross(u, along);
     const T size2 = formula::dot(f[i], f[i]);
     if (!(T(0) < size2)) {
       return;
     }
     const T over = T(1) / scalar::sqrt(size2);
-    f[i] = {T(over * f[i].x()), T(over * f[i].y()), T(over * f[i].z())};
-    e[i] = f[i].cross(u);
+    f[i] = formula::scaled(over, f[i]);
+    e[i] = formula::cross(f[i], u);
   }
   for (int step = 0; step < most_steps; ++step) {
     const Vec3<T> w = formula::plus(formula::plus(pair.between, T(-c[0]), e[0]), T(-c[1]), e[1]);
@@ -113,10 +118,15 @@ void turn_to_nearest_rims(const Pair<T>& pair, Vec3<T>& along) {
     if (!(turn2 < T(1))) {
       return;
     }
+    // By the angles whose halves have the tangents turn/2.
     for (int i = 0; i < 2; ++i) {
-      const T over = T(1) / scalar::sqrt(T(T(1) + scalar::sq(turn[i])));
-      const Vec3<T> next = formula::combination(over, e[i], T(over * turn[i]), f[i]);
-      f[i] = formula::combination(over, f[i], T(-(over * turn[i])), e[i]);
+      const T square = scalar::sq(turn[i]) / T(4);
+      const T over = scalar::sq(scalar::sq(square)) < std::numeric_limits<T>::epsilon() / T(4)
+                         ? T(T(1) - square * (T(1) - square * (T(1) - square)))
+                         : T(T(1) / (T(1) + square));
+      const T cosine = (T(1) - square) * over, sine = turn[i] * over;
+      const Vec3<T> next = formula::combination(cosine, e[i], sine, f[i]);
+      f[i] = formula::combination(cosine, f[i], T(-sine), e[i]);
       e[i] = next;
     }
     if (turn2 <= T(65536) * std::numeric_limits<T>::epsilon()) {
@@ -132,10 +142,7 @@ void try_caps(const Pair<T>& pair, PairPoint<T>& best) {
   const auto try_normal = [&](const Vec3<T>& v) {
     const T size = scalar::sqrt(formula::dot(v, v));
     if (T(0) < size) {
-      const PairPoint<T> at = pair_point(pair, Vec3<T>(T(v.x() / size), T(v.y() / size), T(v.z() / size)));
-      if (best.g < at.g) {
-        best = at;
-      }
+      raise(pair, formula::scaled(T(T(1) / size), v), best);
     }
   };
   for (const T& sign : {T(1), T(-1)}) {

@@ -33,10 +33,17 @@ class RimSearch {
         c1_(pair.first.stone.bevel_major_radius),
         c2_(pair.second.stone.bevel_major_radius),
         swing_(c1_ * scalar::sqrt(formula::dot(pair.between, pair.between))) {
-    const Vec3<T>& u = pair.first.u_W;
+    const Vec3<T>&u = pair.first.u_W, &z = pair.second.u_W;
     e_ = across(u);
-    f_ = u.cross(e_);
-    const Vec3<T> both = u.cross(pair.second.u_W);
+    f_ = formula::cross(u, e_);
+    const Vec3<T> x = across(z), y = formula::cross(z, x);
+    const auto seen = [&](const T& s, const Vec3<T>& v) {
+      return Vec3<T>(T(s * formula::dot(x, v)), T(s * formula::dot(y, v)), T(s * formula::dot(z, v)));
+    };
+    centre_ = seen(T(1), pair.between);
+    cosine_ = seen(c1_, e_);
+    sine_ = seen(c1_, f_);
+    const Vec3<T> both = formula::cross(u, z);
     const T &R1 = pair.first.stone.core_sphere_radius, &R2 = pair.second.stone.core_sphere_radius;
     deepest_ = (R1 < R2 ? R1 : R2) * formula::dot(both, both) * scalar::sq(T(R1 * R2 / (c1_ * c2_)));
     small_ = T(16) * std::numeric_limits<T>::epsilon() * pair.scale;
@@ -74,21 +81,20 @@ class RimSearch {
     return formula::plus(pair_.between, c1_, formula::combination(a, e_, b, f_));
   }
 
+  /// By the second stone's axes x' = v and x'' = −out, so that ρ' = rise/ρ and ρ'' = (swirl² − inward)/ρ.
   [[nodiscard]] RimPoint at(const T& a, const T& b) const {
-    const Vec3<T> out = formula::combination(a, e_, b, f_), along = formula::combination(T(-b), e_, a, f_);
-    const Vec3<T> x = formula::plus(pair_.between, c1_, out);
-    const Vec3<T>& u = pair_.second.u_W;
-    const T zeta = formula::dot(u, x), rate = c1_ * formula::dot(u, along), turn = -c1_ * formula::dot(u, out);
-    const T rho = scalar::sqrt(formula::dot(x, x) - scalar::sq(zeta));
-    const T x_rate = c1_ * formula::dot(x, along), x_turn = -c1_ * formula::dot(x, out);
-    const T y_rate = (x_rate - zeta * rate) / rho;  // ρ'
-    const T rho_bend = (scalar::sq(c1_) - scalar::sq(rate) - scalar::sq(y_rate) + x_turn - zeta * turn) / rho;
+    const Vec3<T> out = formula::combination(a, cosine_, b, sine_), v = formula::combination(T(-b), cosine_, a, sine_);
+    const T x = centre_.x() + out.x(), y = centre_.y() + out.y(), z = centre_.z() + out.z();
+    const T rho = scalar::sqrt(T(scalar::sq(x) + scalar::sq(y))), over = T(1) / rho;
+    const T near = c2_ * over, outward = rho - c2_;
+    const T rise = x * v.x() + y * v.y(), swirl = (x * v.y() - y * v.x()) * over;
+    const T inward = x * out.x() + y * out.y();
     return {.a = a,
             .b = b,
             .rho = rho,
-            .distance = scalar::sqrt(T(scalar::sq(T(rho - c2_)) + scalar::sq(zeta))),
-            .slope = x_rate - c2_ * y_rate,
-            .bend = scalar::sq(c1_) + x_turn - c2_ * rho_bend};
+            .distance = scalar::sqrt(T(scalar::sq(outward) + scalar::sq(z))),
+            .slope = rise * (T(1) - near) + z * v.z(),
+            .bend = scalar::sq(c1_) - inward - z * out.z() - near * (scalar::sq(swirl) - inward)};
   }
 
   [[nodiscard]] bool go_round() {
@@ -184,10 +190,7 @@ class RimSearch {
       return;
     }
     const T over = (apart_ ? T(1) : T(-1)) / size;
-    const PairPoint<T> found = pair_point(pair_, Vec3<T>(T(over * w.x()), T(over * w.y()), T(over * w.z())));
-    if (best_.g < found.g) {
-      best_ = found;
-    }
+    raise(pair_, formula::scaled(over, w), best_);
   }
 
   const Pair<T>& pair_;
@@ -195,6 +198,7 @@ class RimSearch {
   T c1_, c2_;
   T swing_;  // c₁ |D|
   Vec3<T> e_, f_;
+  Vec3<T> centre_, cosine_, sine_;  // the first circle D + a c₁ e + b c₁ f, by the second stone's axes
   T deepest_;
   T small_, apart_limit_ = T(0);
   int count_ = 0;

@@ -16,10 +16,10 @@ namespace goishi {
 
 namespace detail {
 
-/// How far inside a core a point is, times its height and its distance from the sphere's other side: > 0 inside.
+/// How far inside a core a point is, seen from the centre, times its height and its distance from the sphere's other side:
+/// > 0 inside.
 template <Ordered T>
-[[nodiscard]] T inside_core(const Placed<T>& placed, const Vec3<T>& p_W) {
-  const Vec3<T> v = formula::minus(p_W, placed.p_W);
+[[nodiscard]] T inside_core(const Placed<T>& placed, const Vec3<T>& v) {
   const T signed_height = formula::dot(v, placed.u_W);
   const Vec3<T> radial = formula::plus(v, T(-signed_height), placed.u_W);
   const T height = signed_height < T(0) ? T(-signed_height) : signed_height;
@@ -49,36 +49,35 @@ template <Ordered T>
   return low < high;
 }
 
-/// Whether the cores overlap for sure: the middle between the points that are met along a normal is inside both; or a point
-/// of both their discs; or a point of one's rim is in the other.
+/// Whether the cores overlap for sure: the point of one that is met along a normal is inside the other; or a point of both
+/// their discs is inside both; or a point of one's rim is in the other.
 template <Ordered T>
 [[nodiscard]] bool surely_overlap(const Pair<T>& pair, const PairPoint<T>& at) {
   const Placed<T>&first = pair.first, &second = pair.second;
   const T sure = T(64) * std::numeric_limits<T>::epsilon() * scalar::sq(pair.scale);
-  const auto in_both = [&](const Vec3<T>& x) { return sure < inside_core(first, x) && sure < inside_core(second, x); };
-  const auto point = [&](const Placed<T>& placed, const PairSide<T>& side, const T& sign) {
-    const Vec3<T> x = support_point(placed.stone, placed.u_W, side.seen).x_W;
-    return formula::plus(placed.p_W, sign, formula::plus(x, T(-placed.stone.bevel_minor_radius), at.n));
-  };
-  const Vec3<T> sum = formula::plus(point(first, at.first, T(-1)), point(second, at.second, T(1)));
+  // Of points seen from the second stone's centre.
+  const auto in_first = [&](const Vec3<T>& x) { return sure < inside_core(first, formula::minus(x, pair.between)); };
+  const auto in_second = [&](const Vec3<T>& x) { return sure < inside_core(second, x); };
+  const Vec3<T> met = formula::plus(support_point(second.stone, second.u_W, at.second.seen).x_W,
+                                    T(-second.stone.bevel_minor_radius), at.n);
   Vec3<T> x;
-  if (in_both(formula::scaled(T(T(1) / T(2)), sum)) ||
-      (find_disc_crossing(pair, x) && in_both(formula::plus(second.p_W, x)))) {
+  if (in_first(met) || in_second(formula::plus(met, at.w)) ||
+      (find_disc_crossing(pair, x) && in_first(x) && in_second(x))) {
     return true;
   }
-  const auto enters = [&](const Placed<T>& rim, const Placed<T>& core) {
+  const auto enters = [](const Placed<T>& rim, const auto& in_other, const Vec3<T>& centre) {
     constexpr int points = 24;
     const T step = T(2) * scalar::pi<T>() / T(points);
     const T c = scalar::cos(step), s = scalar::sin(step);
     Vec3<T> out = across(rim.u_W);
     bool inside = false;
     for (int i = 0; i < points && !inside; ++i) {
-      inside = sure < inside_core(core, formula::plus(rim.p_W, rim.stone.bevel_major_radius, out));
+      inside = in_other(formula::plus(centre, rim.stone.bevel_major_radius, out));
       out = formula::combination(c, out, s, formula::cross(rim.u_W, out));
     }
     return inside;
   };
-  return enters(first, second) || enters(second, first);
+  return enters(first, in_second, pair.between) || enters(second, in_first, Vec3<T>(Vec3<T>::Zero()));
 }
 
 /// Finds the normal that separates most; false if it may be another.
@@ -98,10 +97,8 @@ template <Ordered T>
     best.n = pair.first.u_W;
   }
   bool stationary = closed;
-  if (closed) {
-    meet_along(pair, best);
-  } else {
-    look_along(pair, best);
+  meet_along(pair, best);
+  if (!closed) {
     stationary = climb(pair, best);
   }
   // Primal and dual: no normal separates more than the distance of the two core points that are met along this one.
@@ -126,15 +123,17 @@ template <Ordered T>
   return stationary || certified;
 }
 
+/// Inlined where it is called, or the rescaled case would slow the usual one down.
 template <Ordered T>
-[[nodiscard]] Separation<T> separation(const Pair<T>& pair) {
+[[gnu::always_inline]] [[nodiscard]] inline Separation<T> separation(const Pair<T>& pair) {
   const Placed<T>&first = pair.first, &second = pair.second;
   PairPoint<T> best;
-  Separation<T> result;
-  const bool converged = find_maximum(pair, best, result.certified);
+  bool certified = false;
+  const bool converged = find_maximum(pair, best, certified);
   const Vec3<T>& n = best.n;
   const SupportPoint<T> on_first = support_point(first.stone, first.u_W, best.first.seen);
   const SupportPoint<T> on_second = support_point(second.stone, second.u_W, best.second.seen);
+  Separation<T> result;
   // Not by the points that are met: those of thin stones have round-off of their spheres.
   result.gap = formula::dot(pair.between, n) - support_value(first.stone, best.first.seen.direction) -
                support_value(second.stone, best.second.seen.direction);
@@ -148,21 +147,25 @@ template <Ordered T>
                    : on_first.feature == Feature::lower_cap ? Feature::upper_cap
                                                             : Feature::rim;
   result.other_feature = OtherFeature::stone;
+  result.certified = certified;
   return result;
 }
 
+/// The same, seen from the second stone in a world of another size.
 template <Ordered T>
-[[nodiscard]] Separation<T> separation(const Placed<T>& first, const Placed<T>& second) {
-  const Pair<T> pair(first, second);
-  if (Squares<T>::hold(pair.scale)) [[likely]] {
-    return separation(pair);
-  }
-  // Seen from the second stone, in a world of another size.
+[[gnu::noinline]] [[nodiscard]] Separation<T> separation_rescaled(const Pair<T>& pair) {
+  const Placed<T>&first = pair.first, &second = pair.second;
   const T factor = Squares<T>::factor(pair.scale);
   const Stone<T> one = scaled(factor, first.stone), two = scaled(factor, second.stone);
   const Vec3<T> between = factor * first.p_W - factor * second.p_W;
   return scaled_back(factor, second.p_W,
                      separation(Pair<T>({one, between, first.u_W}, {two, Vec3<T>(Vec3<T>::Zero()), second.u_W})));
+}
+
+template <Ordered T>
+[[nodiscard]] Separation<T> separation(const Placed<T>& first, const Placed<T>& second) {
+  const Pair<T> pair(first, second);
+  return Squares<T>::hold(pair.scale) ? separation(pair) : separation_rescaled(pair);
 }
 
 }  // namespace detail
