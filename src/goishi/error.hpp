@@ -64,14 +64,14 @@ void require_positive(const char* argument, const T& value) {
   require(T(0) < value && scalar::is_finite(value), argument, value, "must be positive and finite");
 }
 
-/// A length, as formulas take it, which square lengths: the square of a part ε of it is a normal number, and that of its
-/// 1/ε-fold finite (double: 6.7e-139 … 3e138, float: 9.1e-13 … 2.2e12).
+/// A length, as formulas take it, which square lengths: ε times its square is a normal number, and 256 times its square
+/// finite (double: 1.1e-146 … 8.4e152, float: 3.2e-16 … 1.1e18).
 template <Ordered T>
 void require_length(const char* argument, const T& value) {
   require_positive(argument, value);
   const T epsilon = std::numeric_limits<T>::epsilon();
-  const T least = scalar::sqrt(std::numeric_limits<T>::min()) / epsilon;
-  const T most = scalar::sqrt(std::numeric_limits<T>::max()) * epsilon;
+  const T least = scalar::sqrt(T(std::numeric_limits<T>::min() / epsilon));
+  const T most = scalar::sqrt(std::numeric_limits<T>::max()) / T(16);
   require(least <= value && value <= most, argument, value,
           "must not be so small or so great that squares of lengths beside it leave the range of its type");
 }

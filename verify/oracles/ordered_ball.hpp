@@ -64,7 +64,6 @@ class OrderedBall {
   }
   friend bool operator>(const Self& x, const Self& y) { return y < x; }
   friend bool operator>=(const Self& x, const Self& y) { return y <= x; }
-  friend Self abs(const Self& x) { return x < Self(0) ? Self(-x) : x; }
   friend std::ostream& operator<<(std::ostream& out, const Self& x) { return out << static_cast<double>(x.ball_); }
 
   [[nodiscard]] const Ball& ball() const { return ball_; }

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -34,68 +34,6 @@ bool starts_flight(EventKind kind) {
 struct Hold {
   double friction, rolling, pivot;
 };
-
-/// A contact: from the centre of mass, in widths, and the normal.
-struct Held {
-  Vec3<double> r, n;
-};
-
-/// Onto |t| <= k s, the nearest point.
-void project(double& s, Vec3<double>& t, double k) {
-  const double size = t.norm();
-  if (size <= k * s) {
-    return;
-  }
-  const double along = k * size <= -s ? 0.0 : (s + k * size) / (1.0 + k * k);
-  s = along;
-  t = size > 0.0 ? Vec3<double>(k * along / size * t) : Vec3<double>(Vec3<double>::Zero());
-}
-
-/// How much of a unit weight along `down` no forces at the contacts balance: Douglas and Rachford's projections between
-/// the forces that balance and those that friction and resistance allow.
-double unbalanced(const Hold& by, const std::vector<Held>& contacts, const Vec3<double>& down) {
-  const auto count = static_cast<Eigen::Index>(contacts.size());
-  // Of each contact: the force, the normal force once more, and the torque over the lengths of resistance.
-  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(6 + count, 7 * count);
-  Eigen::VectorXd b = Eigen::VectorXd::Zero(6 + count);
-  b.head<3>() = -down;
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const Held& at = contacts[static_cast<std::size_t>(i)];
-    for (Eigen::Index k = 0; k < 3; ++k) {
-      const Vec3<double> unit = Vec3<double>::Unit(k);
-      A.block<3, 1>(0, 7 * i + k) = unit;
-      A.block<3, 1>(3, 7 * i + k) = at.r.cross(unit);
-      A.block<3, 1>(3, 7 * i + 4 + k) = by.rolling * unit + (by.pivot - by.rolling) * at.n.dot(unit) * at.n;
-      A(6 + i, 7 * i + k) = at.n[k];
-    }
-    A(6 + i, 7 * i + 3) = -1.0;
-  }
-  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver(A);
-  Eigen::VectorXd z = Eigen::VectorXd::Zero(7 * count);
-  double left = 1.0;
-  for (int step = 0; step < 20000 && 1e-4 < left; ++step) {
-    const Eigen::VectorXd balanced = z - solver.solve(A * z - b);
-    Eigen::VectorXd allowed = 2.0 * balanced - z;
-    for (Eigen::Index i = 0; i < count; ++i) {
-      const Vec3<double>& n = contacts[static_cast<std::size_t>(i)].n;
-      const Vec3<double> f = allowed.segment<3>(7 * i);
-      double normal = f.dot(n);
-      Vec3<double> across = f - normal * n;
-      if (std::isfinite(by.friction)) {
-        project(normal, across, by.friction);
-      } else {
-        normal = std::fmax(normal, 0.0);
-      }
-      allowed.segment<3>(7 * i) = normal * n + across;
-      Vec3<double> torque = allowed.segment<3>(7 * i + 4);
-      project(allowed(7 * i + 3), torque, 1.0);
-      allowed.segment<3>(7 * i + 4) = torque;
-    }
-    left = (A * allowed - b).norm();
-    z += allowed - balanced;
-  }
-  return left;
-}
 
 class Judge {
  public:
@@ -243,7 +181,7 @@ class Judge {
         }
         break;
       case DropStatus::not_converged:
-        fault("did not converge");
+        given_up();
         break;
     }
   }
@@ -289,21 +227,51 @@ class Judge {
     return separation(scene_.stone, Pose<double>{drop_.state.p_WB, drop_.state.q_WB}, other);
   }
 
-  /// On an edge or at two places: forces that balance exist, as found by projecting back and forth.
+  /// On an edge or at two places: the forces that the library finds are inside the cones and the resistance, and balance.
   void is_balanced_leaning() {
-    const Separation<double> board = contact_with(*scene_.board);
-    const Separation<double> floor = contact_with(Plane<double>{Vec3<double>::UnitZ(), scene_.board->floor});
-    std::vector<Held> held;
-    for (const Separation<double>& contact : {board, floor}) {
-      if (contact.gap < 1e-5 * width_) {
-        held.push_back({(contact.p_stone - drop_.state.p_WB) / width_, contact.n_W});
+    const Vec3<double>& p = drop_.state.p_WB;
+    const double g = scene_.settings.gravity.norm();
+    std::array<detail::Support<double>, 2> supports;
+    std::size_t count = 0;
+    for (const Separation<double>& contact :
+         {contact_with(*scene_.board), contact_with(Plane<double>{Vec3<double>::UnitZ(), scene_.board->floor})}) {
+      if (contact.gap < 1e-5 * scene_.stone.width) {
+        supports[count++] = {contact.p_stone - p, contact.n_W};
       }
     }
-    Hold by = hold();
-    by.rolling /= width_;
-    by.pivot /= width_;
-    const double left = unbalanced(by, held, scene_.settings.gravity.normalized());
-    if (!(left <= 1e-3)) {
+    const Moments<double> per_mass{.axial = scene_.body.moments.z() / scene_.body.mass,
+                                   .transverse = scene_.body.moments.x() / scene_.body.mass};
+    const auto body = detail::contact_body(scene_.stone, per_mass, scene_.settings, g);
+    detail::Balance<double, 2> balance(body, supports, count);
+    static_cast<void>(balance());
+    const Hold by = hold();
+    Vec3<double> force = scene_.settings.gravity / g, moment = Vec3<double>::Zero();
+    double greatest = 1.0;
+    for (std::size_t k = 0; k < count; ++k) {
+      Vec3<double> f = Vec3<double>::Zero(), torque = Vec3<double>::Zero();
+      for (std::size_t i = 0; i < balance.used(); ++i) {
+        if (balance.reaction(i).support == k) {
+          f += balance.weight(i) * balance.reaction(i).force;
+          torque += balance.weight(i) * balance.reaction(i).torque;
+        }
+      }
+      const auto& [r, n] = supports[k];
+      const double normal = f.dot(n), round_off = 1e-9 * (1.0 + f.norm());
+      const Vec3<double> roll = torque - torque.dot(n) * n;
+      const double share =
+          std::hypot(roll.norm() / (by.rolling + 1e-12 * width_), torque.dot(n) / (by.pivot + 1e-12 * width_));
+      if (!(-round_off <= normal) ||
+          !((f - normal * n).norm() <= by.friction * normal + round_off || !std::isfinite(by.friction)) ||
+          !(share <= normal * (1.0 + 1e-9) + round_off)) {
+        fault(fmt::format("leans on a force outside its cone: {} along the normal, {} across, {} of the resistance",
+                          normal, (f - normal * n).norm(), share));
+      }
+      greatest = std::fmax(greatest, f.norm());
+      force += f;
+      moment += r.cross(f) + torque;
+    }
+    const double left = std::hypot(force.norm(), moment.norm() / width_);
+    if (!(left <= 1e-6 * greatest)) {
       fault(fmt::format("leans where nothing holds it: {:.3g} of its weight is not balanced", left));
     }
   }
@@ -314,8 +282,7 @@ class Judge {
     again.start = drop_.state;
     const Drop<double> then = run(again);
     const double moved = (then.state.p_WB - drop_.state.p_WB).norm() / width_;
-    const bool rests =
-        then.status == DropStatus::rest || (drop_.lower_order && then.status == DropStatus::rest_leaning);
+    const bool rests = then.status == DropStatus::rest || then.status == DropStatus::rest_leaning;
     // Beside a side it may touch that, too, and hop.
     const double hop = drop_.lower_order ? 20.0 * *scene_.settings.edge_speed * *scene_.settings.edge_speed /
                                                (scene_.settings.gravity.norm() * width_)

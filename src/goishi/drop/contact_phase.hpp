@@ -127,8 +127,8 @@ class ContactPhase {
       const SlipRate<T> rate = slip_towards(now, found);
       // At the cone's edge the slip has no rate yet, but for round-off.
       const T nothing = T(1e-6) * body_.strength;
-      if (jam_margin(now.W.zz) < rate.denominator && -nothing < rate.along && rate.across < nothing &&
-          -nothing < rate.across) {
+      if (jam_margin(now.W.zz) < rate.denominator && rate.across_slope < T(0) && -nothing < rate.along &&
+          rate.across < nothing && -nothing < rate.across) {
         phi = found;
         return true;
       }

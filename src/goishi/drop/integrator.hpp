@@ -91,7 +91,7 @@ class ContactIntegrator {
       } else if (turning_is_to_begin(equations, rate)) {
         begin_turning(equations, rate);
         old = guards_of(equations, contact_.y);
-        result = broken_at_once<Equations>(old);
+        result = slip_vanishes(equations, rate) ? Guard::slip : broken_at_once<Equations>(old);
       }
       if (result == Guard::none && contact_.carried_far()) {
         run_.state.q_WB = contact_.attitude();
@@ -192,12 +192,15 @@ class ContactIntegrator {
     const Vec3<T> w =
         formula::turning(contact_.body.mobility, u, Vec3<T>(stage[at::L], stage[at::L + 1], stage[at::L + 2]));
     const T size = scalar::sqrt(formula::dot(w, w)), wanted = T(100) * slowest();
-    const T least = T(0.01) * trial, most = T(1e4) * trial;
-    T h = T(0) < size ? T(wanted / size * trial) : most;
-    h = h < least ? least : most < h ? most : h;
+    const T least = T(0.01) * trial;
+    T h = wanted < T(1e4) * size ? T(wanted / size * trial) : T(0);  // so slowly that other steps may as well
+    h = T(0) < h && h < least ? least : h;
     h = run_.left() < h ? run_.left() : h;
     for (std::size_t i = 0; i < Equations::used; ++i) {
       y[i] = y[i] + h * rate[i];
+    }
+    if (contact_.mode == ContactMode::sliding && y[at::slip] < T(0)) {
+      y[at::slip] = T(0);
     }
     run_.time = run_.time + h;
     contact_.normalize();

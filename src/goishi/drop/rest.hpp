@@ -44,7 +44,8 @@ template <Ordered T, class Equations>
   }
   const Vec3<T> force = formula::scaled(T(N / equations.force.z()), equations.force);
   const T share = resistance_share(contact.body, {k.r, {T(0), T(0), T(1)}}, force);
-  return share < T(1) && energy <= N * resistance_lever(contact.body, k.w) * (T(1) - share) * angle;
+  // By a margin: at the limit itself a stone would be let go at once, and stopped again.
+  return share < T(0.999) && energy <= N * resistance_lever(contact.body, k.w) * (T(1) - share) * angle;
 }
 
 /// At rest: what is left of the kinetic energy is less than resistance takes in turning by `angle` (rad), and statics

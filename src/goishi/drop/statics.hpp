@@ -53,6 +53,13 @@ template <Ordered T>
                            formula::dot(across, across) <= scalar::sq(T((mu + round_off_share<T>()) * normal)));
 }
 
+/// A force at a support, and a torque of its resistance.
+template <class T>
+struct Reaction {
+  std::size_t support = 0;
+  Vec3<T> force = Vec3<T>::Zero(), torque = Vec3<T>::Zero();
+};
+
 /// Whether gravity is balanced at several supports: the point of their cone of wrenches that is nearest to what balances it,
 /// by rays that are added where they help most (Gilbert), the weights of all of them chosen anew each time (Lawson and
 /// Hanson). It ends with forces that balance, or with a wrench against which no support does any work: none can.
@@ -70,15 +77,16 @@ class Balance {
       if (size <= small) {
         return true;
       }
-      Wrench best = {};
+      Ray best = {};
       T value(0);
       for (std::size_t k = 0; k < count_; ++k) {
-        consider(supports_[k], left, best, value);
+        consider(k, left, best, value);
       }
       if (!(small * size < value) || used_ == rays_.size()) {
         return false;
       }
-      rays_[used_] = best;
+      rays_[used_] = best.wrench;
+      reactions_[used_] = best.reaction;
       weights_[used_] = T(0);
       ++used_;
       if (!reweigh()) {
@@ -88,8 +96,17 @@ class Balance {
     return false;
   }
 
+  /// The reactions found, over gravity: `used` of them, each to be taken `weight` times.
+  [[nodiscard]] std::size_t used() const { return used_; }
+  [[nodiscard]] const Reaction<T>& reaction(std::size_t k) const { return reactions_[k]; }
+  [[nodiscard]] const T& weight(std::size_t k) const { return weights_[k]; }
+
  private:
   using Wrench = std::array<T, 6>;  // force over gravity, torque over gravity and width
+  struct Ray {
+    Wrench wrench = {};
+    Reaction<T> reaction = {};
+  };
   static constexpr T small = T(1e5) * round_off_share<T>() < T(1e-3) ? T(1e5) * round_off_share<T>() : T(1e-3);
 
   [[nodiscard]] static T dot(const Wrench& a, const Wrench& b) {
@@ -114,9 +131,8 @@ class Balance {
     return left;
   }
 
-  void see(const Support<T>& at, const Vec3<T>& force, const Vec3<T>& torque, const Wrench& left, Wrench& best,
-           T& value) const {
-    const Vec3<T> moment = formula::plus(formula::cross(at.r, force), torque);
+  void see(std::size_t k, const Vec3<T>& force, const Vec3<T>& torque, const Wrench& left, Ray& best, T& value) const {
+    const Vec3<T> moment = formula::plus(formula::cross(supports_[k].r, force), torque);
     Wrench ray = {
         force.x(), force.y(), force.z(), T(moment.x() / length_), T(moment.y() / length_), T(moment.z() / length_)};
     const T size = scalar::sqrt(dot(ray, ray));
@@ -126,12 +142,13 @@ class Balance {
     const T work = dot(ray, left);
     if (value < work) {
       value = work;
-      best = ray;
+      best = {ray, {k, formula::scaled(T(T(1) / size), force), formula::scaled(T(T(1) / size), torque)}};
     }
   }
 
   /// The ray of a support's cone that does most against what is left.
-  void consider(const Support<T>& at, const Wrench& left, Wrench& best, T& value) const {
+  void consider(std::size_t k, const Wrench& left, Ray& best, T& value) const {
+    const Support<T>& at = supports_[k];
     const Vec3<T> f(left[0], left[1], left[2]);
     const Vec3<T> t(T(left[3] / length_), T(left[4] / length_), T(left[5] / length_));
     const Vec3<T> a = formula::plus(f, formula::cross(t, at.r));
@@ -146,12 +163,12 @@ class Balance {
                                        : Vec3<T>(Vec3<T>::Zero());
     const T mu = static_friction(body_);
     if (mu < std::numeric_limits<T>::infinity()) {
-      see(at, formula::plus(at.n, mu, way), torque, left, best, value);
+      see(k, formula::plus(at.n, mu, way), torque, left, best, value);
       return;
     }
-    see(at, at.n, torque, left, best, value);
+    see(k, at.n, torque, left, best, value);
     if (T(0) < size) {
-      see(at, way, Vec3<T>::Zero(), left, best, value);
+      see(k, way, Vec3<T>::Zero(), left, best, value);
     }
   }
 
@@ -175,6 +192,7 @@ class Balance {
         const T weight = weights_[k] + share * (wanted[k] - weights_[k]);
         if (!(share < T(1)) || std::numeric_limits<T>::epsilon() < weight) {
           weights_[kept] = weight;
+          reactions_[kept] = reactions_[k];
           rays_[kept++] = rays_[k];
         }
       }
@@ -229,6 +247,7 @@ class Balance {
   std::size_t count_;
   T length_;
   std::array<Wrench, 8> rays_ = {};
+  std::array<Reaction<T>, 8> reactions_ = {};
   std::array<T, 8> weights_ = {};
   std::size_t used_ = 0;
 };

@@ -177,7 +177,7 @@ template <Ordered T>
   const T across = scalar::sq(p_B.x()) + scalar::sq(p_B.y());
   if (!(across + scalar::sq(p_B.z()) < std::numeric_limits<T>::max() / T(4))) [[unlikely]] {
     detail::require_point(p_B);
-    throw_invalid("point", p_B.cwiseAbs().maxCoeff(), "must have a square that is finite (greatest coordinate shown)");
+    throw_invalid("point", p_B.transpose(), "must have a square that is finite");
   }
   const T rho = scalar::sqrt(across);
   const bool upper = !(p_B.z() < T(0));
