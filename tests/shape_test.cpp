@@ -61,14 +61,14 @@ TEST(Stone, OfWholeNumbers) {
   expect_refused([] { (void)make_stone(9, 22); }, "height", "height = 22: must not exceed the width (9)");
 }
 
-/// From 1e-138 m to 1e138 m (float: 1e-12 to 1e12), and no farther.
+/// From 1e-145 m to 1e152 m (float: 1e-15 to 1e17), and no farther.
 TEST(Stone, OfAnySize) {
-  for (const double size : {1e-136, 1e-50, 1.0, 1e50, 1e136}) {
+  for (const double size : {1e-144, 1e-50, 1.0, 1e50, 1e150}) {
     const Stone<double> stone = make_stone(22.0 * size, 9.0 * size, size);
     EXPECT_NEAR(stone.sphere_radius / size, 565.0 / 36.0, 1e-14);
     EXPECT_NEAR(stone.joint_sine, make_stone(22.0, 9.0, 1.0).joint_sine, 1e-15);
   }
-  for (const double size : {1e-150, 5e-324, 1e150, 1e308}) {
+  for (const double size : {1e-150, 5e-324, 1e154, 1e308}) {
     EXPECT_THROW((void)make_stone(size, size), InvalidArgument) << size;
     EXPECT_THROW((void)make_measured_stone(size, size, 0.0), InvalidArgument) << size;
   }

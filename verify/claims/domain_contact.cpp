@@ -469,7 +469,7 @@ std::vector<Claim> domain_contact_claims() {
             "times of impact.",
             "the same scene at its usual size; the factor is a power of two", OracleFamily::metamorphic, 8.0,
             "a search in another world of another size rounds as it does in this one; points are moved there",
-            {{"contact/stone_stone.hpp", "if (Squares<T>::hold(pair.scale))", "if (true)"}},
+            {{"contact/stone_stone.hpp", "return Squares<T>::hold(pair.scale) ?", "return true ?"}},
             [](Context& context) {
               return in_both(context, [](Context& c, Worst& worst, auto t) {
                 see_magnitudes<decltype(t)>(c, worst, c.samples(1500, 20000));
@@ -504,8 +504,7 @@ std::vector<Claim> domain_contact_claims() {
               });
             }),
       claim("DOMAIN-CONTACT-5", "Stones of denormal numbers are refused; places of denormal numbers are zeros.",
-            "the same scene at its usual size", OracleFamily::metamorphic, 64.0,
-            "each length is rounded to the least number; of thin stones, their spheres",
+            "the same scene with zeros", OracleFamily::metamorphic, 8.0, "the roundings of a search",
             {{"contact/contact.hpp", "length < T(1) ? larger : smaller", "smaller"}},
             [](Context& context) {
               return in_both(context, [](Context& c, Worst& worst, auto t) {

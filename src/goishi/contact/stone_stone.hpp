@@ -49,8 +49,8 @@ template <Ordered T>
   return low < high;
 }
 
-/// Whether the cores overlap for sure: the point of one that is met along a normal is inside the other; or a point of both
-/// their discs is inside both; or a point of one's rim is in the other.
+/// Whether the cores overlap for sure: the point of one that is met along a normal is inside the other, or the middle of the
+/// two inside both; or a point of both their discs is inside both; or a point of one's rim is in the other.
 template <Ordered T>
 [[nodiscard]] bool surely_overlap(const Pair<T>& pair, const PairPoint<T>& at) {
   const Placed<T>&first = pair.first, &second = pair.second;
@@ -61,8 +61,9 @@ template <Ordered T>
   const Vec3<T> met = formula::plus(support_point(second.stone, second.u_W, at.second.seen).x_W,
                                     T(-second.stone.bevel_minor_radius), at.n);
   Vec3<T> x;
-  if (in_first(met) || in_second(formula::plus(met, at.w)) ||
-      (find_disc_crossing(pair, x) && in_first(x) && in_second(x))) {
+  const auto in_both = [&](const Vec3<T>& y) { return in_first(y) && in_second(y); };
+  if (in_first(met) || in_second(formula::plus(met, at.w)) || in_both(formula::plus(met, T(T(1) / T(2)), at.w)) ||
+      (find_disc_crossing(pair, x) && in_both(x))) {
     return true;
   }
   const auto enters = [](const Placed<T>& rim, const auto& in_other, const Vec3<T>& centre) {

@@ -4,6 +4,8 @@
 /// elastic micro-impacts, with friction and resistance taken from their impulses; the result says that it was used.
 
 #include <goishi/contact/contact.hpp>
+#include <goishi/contact/stone_board.hpp>
+#include <goishi/contact/stone_plane.hpp>
 #include <goishi/drop/run.hpp>
 #include <goishi/drop/statics.hpp>
 #include <goishi/impact/laws.hpp>

@@ -210,11 +210,13 @@ void add_closing(const Scene& scene, const Effort& effort, std::vector<Skip>& sk
     return goishi::drop(scene.stone, scene.body, flat, settings).counters.impacts;
   };
   for (const DropSettings<double>* settings : {&summed, &at_once}) {
-    skips.push_back(skip_of(
-        "flat drop to rest",
-        fmt::format("summed from {} m/s on: {} impacts", plain_number(*filled(*settings, scene.stone).closing_speed), bounces(*settings)),
-        fmt::format("followed to {} m/s: {} impacts", plain_number(*filled(followed, scene.stone).contact_speed), bounces(followed)),
-        by_turns(loop(*settings), loop(followed), effort), 1));
+    skips.push_back(
+        skip_of("flat drop to rest",
+                fmt::format("summed from {} m/s on: {} impacts",
+                            plain_number(*filled(*settings, scene.stone).closing_speed), bounces(*settings)),
+                fmt::format("followed to {} m/s: {} impacts",
+                            plain_number(*filled(followed, scene.stone).contact_speed), bounces(followed)),
+                by_turns(loop(*settings), loop(followed), effort), 1));
   }
 }
 
