@@ -30,7 +30,8 @@ template <Ordered T>
 template <Ordered T>
 [[nodiscard]] bool meets_with_cap(const Placed<T>& placed, const T& sign, const Vec3<T>& v, const T& size2) {
   const T axial = sign * formula::dot(placed.u_W, v);
-  return (T(0) <= axial) & (scalar::sq(placed.stone.joint_sine) * size2 <= scalar::sq(axial));
+  const bool above = T(0) <= axial, steep = scalar::sq(placed.stone.joint_sine) * size2 <= scalar::sq(axial);
+  return above & steep;
 }
 
 template <Ordered T>

@@ -36,7 +36,7 @@ template <Field T>
 template <Ordered T>
 [[nodiscard]] Separation<T> separation(const Stone<T>& stone, const Pose<T>& pose, const Plane<T>& plane) {
   detail::require_direction(plane.n_W);
-  const Separation<T> result = detail::separation_along(detail::place(stone, pose), plane.n_W, plane.offset);
+  Separation<T> result = detail::separation_along(detail::place(stone, pose), plane.n_W, plane.offset);
   require(scalar::is_finite(result.gap), "offset", plane.offset, "must be finite, and so must the gap");
   return result;
 }

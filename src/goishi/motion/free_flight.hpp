@@ -111,7 +111,7 @@ enum class Freedom { linear, angular, both };
 template <Ordered T>
 [[nodiscard]] TopRates<T> make_top_rates(const Moments<T>& moments) {
   require_physical(moments);
-  const TopRates<T> rates = formula::top_rates(moments);
+  TopRates<T> rates = formula::top_rates(moments);
   require(scalar::is_finite(T(rates.precession + rates.spin)), "axial", moments.axial,
           "must not be so small that its inverse is no number");
   return rates;

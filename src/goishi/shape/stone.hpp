@@ -98,7 +98,7 @@ void require_bevel(const T& bevel, const T& height) {
 /// The stone in T. Its greatest length, the radius of the spheres, must be one that formulas take.
 template <Ordered T, class Wide>
 [[nodiscard]] Stone<T> checked_stone(const Stone<Wide>& wide) {
-  const Stone<T> stone = stone_cast<T>(wide);
+  Stone<T> stone = stone_cast<T>(wide);
   require_length("sphere_radius", stone.sphere_radius);
   return stone;
 }
