@@ -69,7 +69,10 @@ Scene in_units(const Scene& scene, const Units& unit) {
 /// To the bit; what fades away underflows sooner in one of the units.
 bool is_same(const Vec3<double>& one, const Vec3<double>& other, double unit) {
   const double nothing = 1e-250;
-  return other == unit * one || (other.norm() < nothing && unit * one.norm() < nothing);
+  const auto same = [&](double a, double b) {
+    return b == unit * a || (std::fabs(b) < nothing && unit * std::fabs(a) < nothing);
+  };
+  return same(one.x(), other.x()) && same(one.y(), other.y()) && same(one.z(), other.z());
 }
 
 bool is_same(const State<double>& one, const State<double>& other, const Units& unit) {
