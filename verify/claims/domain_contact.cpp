@@ -464,7 +464,7 @@ std::vector<Claim> domain_contact_claims() {
   };
   return {
       claim("DOMAIN-CONTACT-1",
-            "A scene that is 1e-150 … 1e150 times as large, 1e-18 … 1e18 in float, has as many times the gaps and the "
+            "A scene as small or as large as its stones may be (`require_length`) has as many times the gaps and the "
             "same "
             "times of impact.",
             "the same scene at its usual size; the factor is a power of two", OracleFamily::metamorphic, 8.0,
