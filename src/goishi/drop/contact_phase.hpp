@@ -7,9 +7,9 @@
 #include <goishi/drop/gliding.hpp>
 #include <goishi/drop/integrator.hpp>
 #include <goishi/drop/locked.hpp>
+#include <goishi/drop/onset.hpp>
 #include <goishi/drop/rolling.hpp>
 #include <goishi/drop/sliding.hpp>
-#include <goishi/impact/laws.hpp>
 
 namespace goishi::detail {
 
@@ -29,56 +29,25 @@ class ContactPhase {
       if (most_stalled < stalled) {
         return leave(ContactEnd::stuck);
       }
-      if (contact_.mode == ContactMode::sliding && !(body_.friction < std::numeric_limits<T>::infinity()) && !unjam()) {
-        return leave(ContactEnd::lift_off);
-      }
       if (!run_.has_room()) {
         return leave(ContactEnd::too_many_events);
       }
-      Guard guard = Guard::none;
-      if (contact_.mode == ContactMode::rolling) {
-        Rolling<T> rolling(body_, contact_.feature, contact_.origin);
-        guard = integrate_(rolling);
-        if (guard == Guard::grip) {
-          if (!begin_slip(rolling.now, rolling.force)) {
-            return leave(ContactEnd::lift_off);
-          }
-          continue;
+      bool over = false;
+      switch (contact_.mode) {
+        case ContactMode::rolling:
+          over = roll();
+          break;
+        case ContactMode::sliding:
+          over = slide();
+          break;
+        case ContactMode::gliding: {
+          Gliding<T> gliding(body_, contact_.feature, contact_.origin);
+          over = goes_over(integrated(gliding));
+          break;
         }
-      } else if (contact_.mode == ContactMode::sliding) {
-        Sliding<T> sliding(body_, contact_.feature, contact_.origin);
-        guard = integrate_(sliding);
-        if (guard == Guard::slip) {
-          if (!end_slip()) {
-            return leave(ContactEnd::lift_off);
-          }
-          continue;
-        }
-      } else {
-        Gliding<T> gliding(body_, contact_.feature, contact_.origin);
-        guard = integrate_(gliding);
       }
-      if (guard == Guard::none) {
-        return leave(integrate_.end());
-      }
-      if (guard == Guard::turning) {
-        if (slide_locked()) {
-          return leave(locked_end_);
-        }
-        continue;
-      }
-      if (guard == Guard::lift_off) {
-        return leave(ContactEnd::lift_off);
-      }
-      if (guard == Guard::support) {
-        return leave(T(0) <= run_.level ? ContactEnd::board_edge : ContactEnd::side);
-      }
-      if (guard == Guard::jam) {
-        if (contact_.mode == ContactMode::rolling ? !stop() : !unjam()) {
-          return leave(ContactEnd::lift_off);
-        }
-      } else {
-        change_feature();
+      if (over) {
+        return leave(end_);
       }
     }
   }
@@ -90,6 +59,62 @@ class ContactPhase {
   [[nodiscard]] ContactEnd leave(ContactEnd end) {
     contact_.update_state();
     return end;
+  }
+
+  // One set of equations, up to where another holds. True when the contact phase is over; `end_` says how.
+
+  [[nodiscard]] bool roll() {
+    Rolling<T> rolling(body_, contact_.feature, contact_.origin);
+    const Guard guard = integrated(rolling);
+    if (guard != Guard::grip) {
+      return goes_over(guard);
+    }
+    return hardly_turns(rolling.now) || !begin_slip(rolling.now, rolling.force) ? settle() : false;
+  }
+
+  [[nodiscard]] bool slide() {
+    if (!(body_.friction < std::numeric_limits<T>::infinity())) {
+      return settle();
+    }
+    Sliding<T> sliding(body_, contact_.feature, contact_.origin);
+    const Guard guard = integrated(sliding);
+    if (guard != Guard::slip) {
+      return goes_over(guard);
+    }
+    contact_.y[at::slip] = T(0);
+    return hardly_turns(sliding.now) || !end_slip() ? settle() : false;
+  }
+
+  template <class Equations>
+  [[nodiscard]] Guard integrated(Equations& equations) {
+    const bool begun = begun_;
+    begun_ = false;
+    return integrate_(equations, begun);
+  }
+
+  [[nodiscard]] bool goes_over(Guard guard) {
+    switch (guard) {
+      case Guard::none:
+        end_ = integrate_.end();
+        return true;
+      case Guard::lift_off:
+        end_ = ContactEnd::lift_off;
+        return true;
+      case Guard::support:
+        end_ = T(0) <= run_.level ? ContactEnd::board_edge : ContactEnd::side;
+        return true;
+      case Guard::turning:
+        return slide_locked();
+      case Guard::feature:
+        change_feature();
+        return false;
+      case Guard::jam:
+      case Guard::onset:
+      case Guard::grip:
+      case Guard::slip:
+        break;
+    }
+    return settle();
   }
 
   void change_feature() {
@@ -154,7 +179,6 @@ class ContactPhase {
   /// A slip has come to zero: it sticks if friction can hold that, else goes on in another direction. False if it can
   /// neither.
   [[nodiscard]] bool end_slip() {
-    contact_.y[at::slip] = T(0);
     Rolling<T> rolling(body_, contact_.feature, contact_.origin);
     static_cast<void>(rolling(contact_.y));
     ++run_.result.counters.contact_evaluations;
@@ -172,50 +196,73 @@ class ContactPhase {
     return true;
   }
 
-  /// No normal force fits the resistance: an impulse of both stops the stone. False if it would have to pull.
-  [[nodiscard]] bool stop() {
-    contact_.update_state();
-    const State<T> before = run_.state;
-    if (T(0) < before.v_WB.z()) {
-      return false;
-    }
-    run_.state.v_WB = run_.state.L_W = Vec3<T>::Zero();
-    note_jam(before, Vec3<T>(-run_.body.mass * before.v_WB));
-    return true;
+  /// Whether turning is so slow that what begins now decides about it.
+  [[nodiscard]] bool hardly_turns(const Kinetics<T>& now) const {
+    const std::array<T, 2> slip = contact_.slip();
+    return resistance_is_stiff(body_, contact_.y, body_.strength, onset_time(body_, now, slip[0], slip[1]));
   }
 
-  void note_jam(const State<T>& before, const Vec3<T>& impulse) {
+  /// Slip, turning and normal force chosen together. True when the contact phase is over; `end_` says how.
+  [[nodiscard]] bool settle() {
+    Variables<T>& y = contact_.y;
+    const Kinetics<T> now = kinetics(body_, contact_.feature, y);
+    const std::array<T, 2> slip = contact_.slip();
+    const T usual = onset_time(body_, now, slip[0], slip[1]), left = run_.left();
+    const T h = left < usual ? left : usual;
+    ++run_.result.counters.steps_accepted;
+    const Onset<T> next = OnsetSolver<T>(body_, now, slip[0], slip[1], h)();
+    if (!next.closed) {
+      end_ = ContactEnd::lift_off;
+      return true;
+    }
+    contact_.update_state();
+    const State<T> before = run_.state;
+    const ContactMode mode = contact_.mode;
+    for (std::size_t i = 0; i < 3; ++i) {
+      y[at::L + i] = next.L[static_cast<Eigen::Index>(i)];
+    }
+    contact_.set_mode(next.slips, next.slip_x, next.slip_y);
+    // What it takes to keep the contact point where it is, within h, is no impulse.
+    const T usual_force = body_.strength + scalar::sqrt(formula::dot(now.need, now.need));
+    const bool jams = scalar::sq(T(T(1e3) * h * usual_force)) < formula::dot(next.impulse, next.impulse);
+    if (jams) {
+      note_jam(before, next);
+    } else {
+      const Kinetics<T> then = kinetics(body_, contact_.feature, y);
+      const Variables<T> rate =
+          rates(body_, then, formula::scaled(T(T(1) / h), next.impulse), next.slip_x, next.slip_y, contact_.origin);
+      for (std::size_t i = 0; i < at::loss; ++i) {
+        y[i] = y[i] + h * rate[i];
+      }
+      contact_.normalize();
+      run_.time = run_.time + h;
+      if (mode != contact_.mode) {
+        contact_.note(contact_.mode == ContactMode::sliding ? EventKind::slip : EventKind::stick);
+      }
+    }
+    begun_ = true;
+    if (next.turns) {
+      return false;
+    }
+    if (next.slips) {
+      return slide_locked();
+    }
+    end_ = ContactEnd::rest;
+    return !jams && is_held(body_, kinetics(body_, contact_.feature, y).r);
+  }
+
+  /// Painlevé's case: no normal force fits slip and resistance, and an impulse stops one or both.
+  void note_jam(const State<T>& before, const Onset<T>& next) {
+    contact_.update_state();
     Event<T>& event = run_.record(EventKind::jam, before);
-    event.impulse_W = impulse;
+    event.impulse_W = run_.body.mass * next.impulse;
     event.contact_W = run_.contact_W;
     event.normal_W = {T(0), T(0), T(1)};
     event.feature = contact_.feature;
-    event.outcome = ImpactOutcome::stuck;
-    contact_.enter(contact_.feature);
+    event.outcome = next.slips ? ImpactOutcome::slid : ImpactOutcome::stuck;
   }
 
-  /// Painlevé's case: no normal force fits the slip, so an impulse stops it. Under infinite friction any slip is such a
-  /// case, and it may pull. False if the impulse would have to pull and may not.
-  [[nodiscard]] bool unjam() {
-    contact_.update_state();
-    const State<T> before = run_.state;
-    const Kinetics<T> now = kinetics(body_, contact_.feature, contact_.y);
-    const Vec3<T>& r = now.r;
-    const Vec3<T>& u = now.u;
-    const ImpactBody<T> body{run_.mobility, before.p_WB, u, before.v_WB, before.L_W};
-    const ContactMatrix<T> W = formula::contact_matrix(run_.mobility, u, r);
-    const Vec3<T> impulse = -formula::solution(W, formula::point_velocity(body, r));
-    if (impulse.z() < T(0) && body_.friction < std::numeric_limits<T>::infinity()) {
-      return false;
-    }
-    const BodyVelocity<T> after = formula::pushed(body, r, impulse);
-    run_.state.v_WB = after.v_WB;
-    run_.state.L_W = after.L_W;
-    note_jam(before, impulse);
-    return true;
-  }
-
-  /// Sliding while resistance holds the attitude. True when the contact phase is over; `locked_end_` says how.
+  /// Sliding while resistance holds the attitude. True when the contact phase is over; `end_` says how.
   [[nodiscard]] bool slide_locked() {
     const std::array<T, 2> slip = contact_.slip();
     // The centre keeps its velocity, not the contact point its slip.
@@ -241,10 +288,10 @@ class ContactPhase {
       contact_.note(EventKind::stick);
       return false;
     }
-    locked_end_ = end == LockedEnd::stopped   ? ContactEnd::rest
-                  : end == LockedEnd::support ? (T(0) <= run_.level ? ContactEnd::board_edge : ContactEnd::side)
-                  : end == LockedEnd::time    ? ContactEnd::time
-                                              : ContactEnd::too_many_steps;
+    end_ = end == LockedEnd::stopped   ? ContactEnd::rest
+           : end == LockedEnd::support ? (T(0) <= run_.level ? ContactEnd::board_edge : ContactEnd::side)
+           : end == LockedEnd::time    ? ContactEnd::time
+                                       : ContactEnd::too_many_steps;
     return end != LockedEnd::unlocked;
   }
 
@@ -252,7 +299,8 @@ class ContactPhase {
   ContactState<T> contact_;
   ContactIntegrator<T> integrate_;
   const ContactBody<T>& body_;
-  ContactEnd locked_end_ = ContactEnd::time;
+  ContactEnd end_ = ContactEnd::time;
+  bool begun_ = false;                     // a slip or a turning, just now
   static constexpr int most_stalled = 50;  // changes of equations while no time passes: a few are in order
 };
 

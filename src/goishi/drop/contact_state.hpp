@@ -35,23 +35,22 @@ class ContactState {
   }
 
   /// Chooses the equations for a slip.
-  void set_slip(const T& s_x, const T& s_y) {
-    if (body.model != FrictionModel::dry || !(T(0) < body.friction)) {
+  void set_slip(const T& s_x, const T& s_y) { set_mode(noise < size_of(s_x, s_y), s_x, s_y); }
+
+  /// The same, where it is known whether it slips.
+  void set_mode(bool slips, const T& s_x, const T& s_y) {
+    if (is_smooth()) {
       mode = ContactMode::gliding;
       y[at::slip] = s_x;
       y[at::direction] = s_y;
       return;
     }
-    const T sigma = size_of(s_x, s_y);
-    if (sigma <= noise) {
-      mode = ContactMode::rolling;
-      y[at::slip] = y[at::direction] = T(0);
-      return;
-    }
-    mode = ContactMode::sliding;
-    y[at::slip] = sigma;
-    y[at::direction] = scalar::atan2(s_y, s_x);
+    mode = slips ? ContactMode::sliding : ContactMode::rolling;
+    y[at::slip] = slips ? size_of(s_x, s_y) : T(0);
+    y[at::direction] = slips ? scalar::atan2(s_y, s_x) : T(0);
   }
+
+  [[nodiscard]] bool is_smooth() const { return body.model != FrictionModel::dry || !(T(0) < body.friction); }
 
   /// The attitude is the one of the last `rebase`, carried with the axis by the shortest rotation, and turned about the
   /// axis by the spin angle.
@@ -69,11 +68,23 @@ class ContactState {
     return formula::reunited(formula::product(formula::product(carried, q_origin), spun));
   }
 
-  /// Takes |u| back to 1.
+  /// Takes |u| back to 1, and angles that have gone round, which would lose digits.
   void normalize() {
     const T size = scalar::sqrt(T(scalar::sq(y[at::u]) + scalar::sq(y[at::u + 1]) + scalar::sq(y[at::u + 2])));
     for (std::size_t i = at::u; i < at::u + 3; ++i) {
       y[i] = y[i] / size;
+    }
+    if (mode == ContactMode::sliding) {
+      unwind(y[at::direction], T(T(2) * scalar::pi<T>()));
+    }
+    unwind(y[at::spin], T(T(4) * scalar::pi<T>()));  // the attitude goes by half of it
+  }
+
+  static void unwind(T& angle, const T& turn) {
+    if (turn < angle || angle < -turn) {
+      const T turns = angle / turn;
+      using std::trunc;
+      angle = angle - T(trunc(turns)) * turn;
     }
   }
 

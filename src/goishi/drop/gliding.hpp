@@ -17,7 +17,7 @@ class Gliding {
   static constexpr bool slip_is_vector = true;
 
   Gliding(const ContactBody<T>& body, Feature feature, const Vec3<T>& origin)
-      : body_(body), feature_(feature), origin_(origin), stiffness_(stiffness_of(body)) {}
+      : body_(body), feature_(feature), origin_(origin) {}
 
   /// Of the pair that the last step was taken with.
   [[nodiscard]] int order() const { return order_; }
@@ -31,9 +31,8 @@ class Gliding {
   [[nodiscard]] Trial<T, variables> step(const Variables<T>& y, const Variables<T>& rate, const T& h, bool& possible) {
     jams_ = false;
     Trial<T, variables> trial;
-    evaluate(y);
-    const bool resists_stiffly = resistance_is_stiff(body_, y, h);
-    if (!resists_stiffly && h * friction_per_slip(y[at::slip], y[at::direction]) * stiffness_ < T(1)) {
+    const bool resists_stiffly = resistance_is_stiff(body_, y, N_, h);
+    if (!resists_stiffly && h * stiffness_ < T(1)) {
       order_ = 5;
       trial = dormand_prince(y, rate, h, *this);
     } else {
@@ -73,7 +72,11 @@ class Gliding {
   static constexpr std::array<Guard, guard_count> names = {Guard::feature, Guard::lift_off, Guard::none,
                                                            Guard::none,    Guard::jam,      Guard::support};
 
-  void begin_step() {}
+  /// From the state that was evaluated last.
+  void begin_step() {
+    N_ = force.z() < T(0) ? T(-force.z()) : force.z();
+    stiffness_ = N_ * ratio_ * (now.W.xx + now.W.yy);
+  }
   void carry_from(const Vec3<T>& origin) { origin_ = origin; }
 
   Kinetics<T> now;
@@ -179,8 +182,8 @@ class Gliding {
   const ContactBody<T>& body_;
   Feature feature_;
   Vec3<T> origin_;
-  T ratio_ = T(0);  // friction per normal force and slip
-  T stiffness_;     // rate of the slip per that   [m/s²]
+  T ratio_ = T(0);                 // friction per normal force and slip
+  T N_ = T(0), stiffness_ = T(0);  // [m/s²], [1/s] normal force and friction's effect on the slip where the step begins
   int order_ = 5;
   T room_ = T(1);  // of the normal force's denominator
   bool jams_ = false;

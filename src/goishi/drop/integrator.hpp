@@ -27,9 +27,10 @@ class ContactIntegrator {
   /// Why it ended where `operator()` gives no guard.
   [[nodiscard]] ContactEnd end() const { return end_; }
 
-  /// Integrates until a guard changes its sign, and returns it; `none` where `end` says why it ended.
+  /// Integrates until a guard changes its sign, and returns it; `none` where `end` says why it ended. What has `begun`
+  /// just now goes on for a step at least.
   template <class Equations>
-  [[nodiscard]] Guard operator()(Equations& equations) {
+  [[nodiscard]] Guard operator()(Equations& equations, bool begun) {
     contact_.y[at::loss] = T(0);
     Variables<T> rate = equations(contact_.y);
     if (rests(equations, rate)) {
@@ -38,8 +39,8 @@ class ContactIntegrator {
     if (slips() && stops_turning(contact_, equations, run_.settings.tolerance)) {
       return over(equations, ContactEnd::time, Guard::turning);
     }
-    if (turning_is_to_begin(equations, rate)) {
-      begin_turning(equations, rate);
+    if (!begun && turning_is_to_begin(equations, rate)) {
+      return over(equations, ContactEnd::time, Guard::onset);
     }
     EnergyBalance<T> balance(contact_, equations, run_.settings.tolerance);
     GuardValues old = guards_of(equations, contact_.y);
@@ -86,12 +87,10 @@ class ContactIntegrator {
       }
       if (slips() && stops_turning(contact_, equations, run_.settings.tolerance)) {
         result = Guard::turning;
-      } else if (slip_vanishes(equations, rate)) {
+      } else if (ends_slip(equations, rate)) {
         result = Guard::slip;
       } else if (turning_is_to_begin(equations, rate)) {
-        begin_turning(equations, rate);
-        old = guards_of(equations, contact_.y);
-        result = slip_vanishes(equations, rate) ? Guard::slip : broken_at_once<Equations>(old);
+        result = Guard::onset;
       }
       if (result == Guard::none && contact_.carried_far()) {
         run_.state.q_WB = contact_.attitude();
@@ -173,40 +172,6 @@ class ContactIntegrator {
            k.w.x() * rate[at::L] + k.w.y() * rate[at::L + 1] + k.w.z() * rate[at::L + 2] <= T(0);
   }
 
-  /// From no turning at all, by an implicit step so short that nothing else changes: the turning that begins is against
-  /// the resistance that it meets. Where there is none, it is left to the guards what holds then.
-  template <class Equations>
-  void begin_turning(Equations& equations, Variables<T>& rate) {
-    Variables<T>& y = contact_.y;
-    y[at::L] = y[at::L + 1] = y[at::L + 2] = T(0);
-    const T trial = T(1e-6) / contact_.scales.frequency;
-    Variables<T> stage = y;
-    rate = equations(y);
-    ++run_.result.counters.steps_accepted;
-    if (!equations.solve_stage(stage, trial, rate)) {
-      rate = equations(y);
-      return;
-    }
-    // What has begun grows in proportion to time.
-    const Vec3<T> u(y[at::u], y[at::u + 1], y[at::u + 2]);
-    const Vec3<T> w =
-        formula::turning(contact_.body.mobility, u, Vec3<T>(stage[at::L], stage[at::L + 1], stage[at::L + 2]));
-    const T size = scalar::sqrt(formula::dot(w, w)), wanted = T(100) * slowest();
-    const T least = T(0.01) * trial;
-    T h = wanted < T(1e4) * size ? T(wanted / size * trial) : T(0);  // so slowly that other steps may as well
-    h = T(0) < h && h < least ? least : h;
-    h = run_.left() < h ? run_.left() : h;
-    for (std::size_t i = 0; i < Equations::used; ++i) {
-      y[i] = y[i] + h * rate[i];
-    }
-    if (contact_.mode == ContactMode::sliding && y[at::slip] < T(0)) {
-      y[at::slip] = T(0);
-    }
-    run_.time = run_.time + h;
-    contact_.normalize();
-    rate = equations(y);
-  }
-
   /// The step cut to just before the turning ceases, if it does within it: as L goes now, J L · L has a least value that is
   /// next to nothing. A dry slip is cut in the same way.
   template <class Equations>
@@ -237,6 +202,7 @@ class ContactIntegrator {
   [[nodiscard]] bool accepted_step(Equations& equations, const Variables<T>& rate, const EnergyBalance<T>& balance,
                                    T& h, Trial<T, variables>& trial) {
     const T shortest = shortest_step();
+    bool tried = false;
     while (run_.has_budget()) {
       bool possible = true;
       trial = equations.step(contact_.y, rate, h, possible);
@@ -247,7 +213,10 @@ class ContactIntegrator {
         const T estimated = error_of(equations, trial, h);
         error = worst <= estimated ? estimated : worst;
       }
-      const T factor = step_factor(error, equations.order());
+      const T suggested = step_factor(error, equations.order());
+      // What has just been too long is not tried again at once.
+      const T factor = tried && T(1) < suggested ? T(1) : suggested;
+      tried = true;
       // The shortest step passes what no error control can: a jump of the equations.
       if (error <= T(1) || (possible && h < shortest)) {
         step_ = h * factor;
@@ -267,14 +236,30 @@ class ContactIntegrator {
     return T(16) * std::numeric_limits<T>::epsilon() * (run_.time + T(1000) / contact_.scales.frequency);
   }
 
-  /// Whether dry slip is about to end: what is left of it is below a hundredth of a step's error, or lasts no longer than
-  /// the shortest step.
+  /// Whether dry slip ends now: what is left of it is below a hundredth of a step's error, or will be gone so soon that its
+  /// brake stays the same till then. Then it has gone.
   template <class Equations>
-  [[nodiscard]] bool slip_vanishes(const Equations&, const Variables<T>& rate) const {
+  [[nodiscard]] bool ends_slip(const Equations&, const Variables<T>& rate) {
     if constexpr (Equations::names[3] == Guard::slip) {
-      const T sigma = contact_.y[at::slip], braking = -rate[at::slip];
-      return T(0) < braking &&
-             (sigma < T(0.01) * run_.settings.tolerance * contact_.scales.speed || sigma < shortest_step() * braking);
+      Variables<T>& y = contact_.y;
+      const T sigma = y[at::slip], braking = -rate[at::slip], tolerance = run_.settings.tolerance;
+      if (!(T(0) < braking)) {
+        return false;
+      }
+      const T rest = sigma / braking, turned = size_of(T(rest * rate[at::direction]));
+      const T little = T(0.01) * tolerance * contact_.scales.speed;
+      if (scalar::sq(T(rest * contact_.scales.frequency / contact_.scales.thinness)) < T(1e-5) * tolerance &&
+          sigma * turned < little && rest < run_.left()) {
+        for (std::size_t i = 0; i < at::slip; ++i) {
+          y[i] = y[i] + rest * rate[i];
+        }
+        contact_.normalize();
+        run_.time = run_.time + rest;
+      } else if (!(sigma < little || rest < shortest_step())) {
+        return false;
+      }
+      y[at::slip] = T(0);
+      return true;
     }
     return false;
   }

@@ -89,13 +89,6 @@ template <Ordered T>
   return T(1e-6) * W_zz;
 }
 
-/// How strongly friction acts on the slip, at most: about N W, per friction per normal force   [m/s²].
-template <Ordered T>
-[[nodiscard]] T stiffness_of(const ContactBody<T>& body) {
-  const T most = body.mobility.transverse + (T(0) < body.mobility.axial ? body.mobility.axial : T(0));
-  return body.strength * (T(1) + scalar::sq(T(body.stone.width)) / T(4) * most);
-}
-
 /// The rates of the variables but the slip's, under a force F on the contact point that slips with (s_x, s_y). `origin`
 /// is the axis from which the attitude is carried.
 template <Ordered T>

@@ -90,11 +90,16 @@ template <Ordered T>
     }
   }
   TimeOfImpact<T> hit = time_of_impact(run.stone, path, *run.board, left);
-  if (hit.status != ImpactStatus::overlapping) {
-    const TimeOfImpact<T> on_floor = time_of_impact(run.stone, path, floor_of(*run.board), left);
+  // The floor matters only before.
+  const T until = hit.status == ImpactStatus::none ? left : hit.time;
+  if (hit.status != ImpactStatus::overlapping && T(0) < until) {
+    const TimeOfImpact<T> on_floor = time_of_impact(run.stone, path, floor_of(*run.board), until);
+    const int steps = hit.steps + on_floor.steps, separations = hit.separations + on_floor.separations;
     if (on_floor.status != ImpactStatus::none && (hit.status == ImpactStatus::none || on_floor.time < hit.time)) {
       hit = on_floor;
     }
+    hit.steps = steps;
+    hit.separations = separations;
   }
   return hit;
 }

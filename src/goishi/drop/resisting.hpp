@@ -49,9 +49,9 @@ template <Ordered T>
           T(over * formula::dot(v, formula::cross(a, b)))};
 }
 
-/// Whether explicit steps of length h from y would follow the resistance rather than the motion.
+/// Whether explicit steps of length h from y would follow the resistance rather than the motion, under a normal force N.
 template <Ordered T>
-[[nodiscard]] bool resistance_is_stiff(const ContactBody<T>& body, const Variables<T>& y, const T& h) {
+[[nodiscard]] bool resistance_is_stiff(const ContactBody<T>& body, const Variables<T>& y, const T& N, const T& h) {
   if (!body.resists) {
     return false;
   }
@@ -59,7 +59,7 @@ template <Ordered T>
   const Vec3<T> w = formula::turning(body.mobility, u, L);
   const T d2 = scalar::sq(body.rolling_resistance), k2 = scalar::sq(body.pivot_radius);
   const T most = body.mobility.transverse + (T(0) < body.mobility.axial ? body.mobility.axial : T(0));
-  const T rate = h * body.strength * most * (d2 < k2 ? k2 : d2);
+  const T rate = h * N * most * (d2 < k2 ? k2 : d2);
   // Dormand–Prince's steps stay stable up to rates of 3.3/h; squares save the root.
   return scalar::sq(T(3)) * (d2 * (scalar::sq(w.x()) + scalar::sq(w.y())) + k2 * scalar::sq(w.z())) < scalar::sq(rate);
 }

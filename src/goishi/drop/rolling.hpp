@@ -11,8 +11,8 @@
 namespace goishi::detail {
 
 /// What is watched along a step: each is positive as long as the present equations hold.
-/// (`turning` is not watched by its sign.)
-enum class Guard { none, feature, lift_off, grip, slip, jam, support, turning };
+/// (`turning`, where it ceases, and `onset`, where it is to begin, are not watched by their sign.)
+enum class Guard { none, feature, lift_off, grip, slip, jam, support, turning, onset };
 inline constexpr std::size_t guard_count = 6;
 
 /// What counts as zero of a guard where the equations change.
@@ -72,7 +72,7 @@ class Rolling {
   [[nodiscard]] Trial<T, variables> step(const Variables<T>& y, const Variables<T>& rate, const T& h, bool& possible) {
     possible = true;
     jams_ = false;
-    if (!resistance_is_stiff(body_, y, h)) {
+    if (!resistance_is_stiff(body_, y, N_, h)) {
       order_ = 5;
       const Trial<T, variables> trial = dormand_prince(y, rate, h, *this);
       possible = !jams_;
@@ -127,7 +127,8 @@ class Rolling {
   static constexpr std::array<Guard, guard_count> names = {Guard::feature, Guard::lift_off, Guard::grip,
                                                            Guard::none,    Guard::none,     Guard::support};
 
-  void begin_step() {}
+  /// From the state that was evaluated last.
+  void begin_step() { N_ = force.z() < T(0) ? T(-force.z()) : force.z(); }
   void carry_from(const Vec3<T>& origin) { origin_ = origin; }
 
   Kinetics<T> now;
@@ -148,6 +149,7 @@ class Rolling {
   Feature feature_;
   Vec3<T> origin_;
   int order_ = 5;
+  T N_ = T(0);  // [m/s²] normal force where the step begins
   bool jams_ = false;
 };
 

@@ -37,7 +37,7 @@ class Sliding {
   [[nodiscard]] Trial<T, variables> step(const Variables<T>& y, const Variables<T>& rate, const T& h, bool& possible) {
     jams_ = false;
     const T sigma = y[at::slip];
-    resists_stiffly_ = resistance_is_stiff(body_, y, h);
+    resists_stiffly_ = resistance_is_stiff(body_, y, N_, h);
     if (!resists_stiffly_ && -(h * slope_) < sigma && -(T(2) * h * rate[at::slip]) < sigma) {
       order_ = 5;
       const Trial<T, variables> trial = dormand_prince(y, rate, h, *this);
@@ -49,7 +49,10 @@ class Sliding {
   }
 
   /// From the state that was evaluated last.
-  void begin_step() { slope_ = slip_.across_slope; }
+  void begin_step() {
+    slope_ = slip_.across_slope;
+    N_ = slip_.N;
+  }
 
   [[nodiscard]] Guards<T> guards() const {
     return {{feature_guard(body_.stone, feature_, now.u), T(now.need.z() / body_.strength), T(1),
@@ -190,7 +193,7 @@ class Sliding {
   SlipRate<T> slip_ = {};
   T c_ = T(1), s_ = T(0), phi_ = T(0), sigma_ = T(0);
   bool jams_ = false, resists_stiffly_ = false;
-  T slope_ = T(0);  // [m/s²] of σ φ̇ by φ where the step begins
+  T slope_ = T(0), N_ = T(0);  // [m/s²] of σ φ̇ by φ, and the normal force, where the step begins
   int order_ = 4;
 };
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <goishi/drop/cholesky.hpp>
 #include <goishi/drop/kinetics.hpp>
 #include <limits>
 
@@ -205,40 +206,24 @@ class Balance {
     return true;
   }
 
-  /// Of the normal equations, by Cholesky's factors.
+  /// Of the normal equations.
   [[nodiscard]] bool least_squares(std::array<T, 8>& x) const {
-    T factor[8][8] = {};
+    typename Cholesky<T, 8>::Matrix products = {};
     Wrench load = {};
     for (std::size_t i = 0; i < 3; ++i) {
       load[i] = -(body_.gravity[static_cast<Eigen::Index>(i)] / body_.strength);
     }
     for (std::size_t i = 0; i < used_; ++i) {
       for (std::size_t j = 0; j <= i; ++j) {
-        T sum = dot(rays_[i], rays_[j]);
-        for (std::size_t k = 0; k < j; ++k) {
-          sum = sum - factor[i][k] * factor[j][k];
-        }
-        if (i == j) {
-          if (!(std::numeric_limits<T>::epsilon() < sum)) {
-            return false;
-          }
-          factor[i][i] = scalar::sqrt(sum);
-        } else {
-          factor[i][j] = sum / factor[j][j];
-        }
+        products[i][j] = dot(rays_[i], rays_[j]);
       }
       x[i] = dot(rays_[i], load);
-      for (std::size_t k = 0; k < i; ++k) {
-        x[i] = x[i] - factor[i][k] * x[k];
-      }
-      x[i] = x[i] / factor[i][i];
     }
-    for (std::size_t i = used_; i-- > 0;) {
-      for (std::size_t k = i + 1; k < used_; ++k) {
-        x[i] = x[i] - factor[k][i] * x[k];
-      }
-      x[i] = x[i] / factor[i][i];
+    Cholesky<T, 8> factors;
+    if (!factors.factor(products, used_)) {
+      return false;
     }
+    factors.solve(x);
     return true;
   }
 

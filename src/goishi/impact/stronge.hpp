@@ -94,6 +94,8 @@ class StrongeProcess {
     // A unit of τ is then about what the slip takes to decay e-fold, or the velocity to change by the slip.
     against_ = T(1) / (W_.xx + W_.yy + W_.zz / c.friction);
     along_ = T(1) / (c.friction * (W_.xx + W_.yy) + W_.zz);
+    // A few e-foldings of the slip: beyond, terms of the series cancel.
+    step_ = longest_ = T(8) / (against_ * (W_.xx + W_.yy) + along_ * (magnitude(W_.xz) + magnitude(W_.yz)));
   }
 
   [[nodiscard]] LawImpulse<T> run() {
@@ -210,9 +212,7 @@ class StrongeProcess {
       return size;
     };
     step_ = T(4) * step_;
-    if (T(8) < step_) {
-      step_ = T(8);  // a few e-foldings of the slip: beyond, terms of the series cancel
-    }
+    step_ = longest_ < step_ ? longest_ : step_;
     while (negligible_ < term(order) + term(order - 1)) {
       step_ = step_ / T(2);
     }
@@ -266,7 +266,7 @@ class StrongeProcess {
   T negligible_;        // [m/s]
   T speed_of_work_;     // [1/(N s)] makes work comparable with velocity
   State now_;
-  T step_ = T(1);
+  T step_, longest_;
   T compression_ = T(0);  // work of the compression, < 0
   bool compressing_ = true;
 };
