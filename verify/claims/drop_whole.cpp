@@ -220,7 +220,8 @@ std::vector<Claim> drop_whole_claims() {
        .bound = 0.0,
        .reason = "there must be none",
        .resolution = 0.0,
-       .mutants = {{"drop/next_impact.hpp", "if (hit.status != ImpactStatus::overlapping && T(0) < until) {", "if (false) {"}},
+       .mutants = {{"drop/next_impact.hpp", "if (hit.status != ImpactStatus::overlapping && T(0) < until) {",
+                    "if (false) {"}},
        .measure = measure_stress},
   };
 }
