@@ -199,13 +199,13 @@ class GapAlong {
 /// The longest step that cannot jump over a root, from H >= 0: the first root of H + H' s − M s²/2, M the `bend`; from
 /// H = 0 and H' > 0 the one after.
 template <Ordered T>
-[[nodiscard]] T safe_step(const T& gap, const T& rate, const T& bend) {
+[[nodiscard]] inline T safe_step(const T& gap, const T& rate, const T& bend) {
   return falling_time(gap, rate, T(-bend));
 }
 
 /// The same where the bend of a whole flight says little: doubled as often as the bend within that time allows.
 template <Ordered T>
-[[nodiscard]] T safe_step_within(const GapAlong<T>& gap, const T& t, const T& height, const T& rate) {
+[[gnu::noinline]] [[nodiscard]] T safe_step_within(const GapAlong<T>& gap, const T& t, const T& height, const T& rate) {
   constexpr int most_doublings = 60;
   T step = safe_step(height, rate, gap.bend());
   for (int i = 0; i < most_doublings; ++i) {
@@ -239,7 +239,7 @@ struct RoundOff {
 
 /// A hit at t; of a gap that T cannot hold, at a time so late, only that nothing touches until the step before.
 template <Ordered T>
-[[nodiscard]] RootSearch<T> hit_or_lost(const typename GapAlong<T>::Value& now, const T& t, const T& sure, int steps) {
+[[nodiscard]] inline RootSearch<T> hit_or_lost(const typename GapAlong<T>::Value& now, const T& t, const T& sure, int steps) {
   return scalar::is_finite(now.gap) ? RootSearch<T>{ImpactStatus::hit, t, steps}
                                     : RootSearch<T>{ImpactStatus::not_converged, sure, steps};
 }
@@ -247,7 +247,7 @@ template <Ordered T>
 /// The first time, from `start`, at which the gap along one normal is zero and does not open: a root; the start, if the
 /// bodies touch there; or where the gap comes down to round-off and opens again. At the start it is not below round-off.
 template <Ordered T>
-[[nodiscard]] RootSearch<T> first_root(const GapAlong<T>& gap, const T& start, const T& horizon,
+[[nodiscard]] inline RootSearch<T> first_root(const GapAlong<T>& gap, const T& start, const T& horizon,
                                        const RoundOff<T>& nothing, int most_steps) {
   T t = start, touch = start;
   bool touched = false;
@@ -258,10 +258,13 @@ template <Ordered T>
       return {touched ? ImpactStatus::hit : ImpactStatus::none, touched ? touch : horizon, steps};
     }
     const typename GapAlong<T>::Value now = gap(t);
+    bool last = false;
     if (nothing.touches(now)) {
       if (!(T(0) < now.gap) || !(start < t)) {
         return hit_or_lost(now, t, sure, steps);
       }
+      // So fast that what is left of the way takes a time that is round-off.
+      last = T(512) * std::numeric_limits<T>::epsilon() * now.rate < -nothing.rate;
       touched = true;
       touch = t;
     } else if (touched) {
@@ -272,8 +275,8 @@ template <Ordered T>
     const T step =
         gap.is_loose() ? safe_step_within(gap, t, height, now.rate) : safe_step(height, now.rate, gap.bend());
     const T next = t + step;
-    if (!(t < next)) {
-      return hit_or_lost(now, t, sure, steps);
+    if (last || !(t < next)) {
+      return hit_or_lost(now, last ? next : t, sure, steps);
     }
     t = next;
   }
