@@ -239,7 +239,8 @@ struct RoundOff {
 
 /// A hit at t; of a gap that T cannot hold, at a time so late, only that nothing touches until the step before.
 template <Ordered T>
-[[nodiscard]] inline RootSearch<T> hit_or_lost(const typename GapAlong<T>::Value& now, const T& t, const T& sure, int steps) {
+[[nodiscard]] inline RootSearch<T> hit_or_lost(const typename GapAlong<T>::Value& now, const T& t, const T& sure,
+                                               int steps) {
   return scalar::is_finite(now.gap) ? RootSearch<T>{ImpactStatus::hit, t, steps}
                                     : RootSearch<T>{ImpactStatus::not_converged, sure, steps};
 }
@@ -248,7 +249,7 @@ template <Ordered T>
 /// bodies touch there; or where the gap comes down to round-off and opens again. At the start it is not below round-off.
 template <Ordered T>
 [[nodiscard]] inline RootSearch<T> first_root(const GapAlong<T>& gap, const T& start, const T& horizon,
-                                       const RoundOff<T>& nothing, int most_steps) {
+                                              const RoundOff<T>& nothing, int most_steps) {
   T t = start, touch = start;
   bool touched = false;
   for (int steps = 1; steps <= most_steps; ++steps) {

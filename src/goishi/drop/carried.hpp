@@ -24,7 +24,8 @@ template <Elementary T>
 ///
 /// Domain  a ≠ −u.   Proof  derivations/contact_motion.cpp.
 template <Field T>
-[[nodiscard]] T carried_spin_rate(const Vec3<T>& a, const Vec3<T>& u, const Vec3<T>& u_rate, const T& spin_rate) {
+[[nodiscard]] inline T carried_spin_rate(const Vec3<T>& a, const Vec3<T>& u, const Vec3<T>& u_rate,
+                                         const T& spin_rate) {
   return spin_rate + formula::dot(a, formula::cross(u, u_rate)) / (T(1) + formula::dot(a, u));
 }
 

@@ -43,8 +43,8 @@ namespace formula {
 /// On a cap, S = r − d |η|. `side` is 1 on the lower cap (η > 0), −1 on the upper.
 /// Proof  derivations/contact_motion.cpp.
 template <Field T>
-[[nodiscard]] ContactGeometry<T> cap_contact(const Stone<T>& stone, const T& side, const T& eta,
-                                             const T& radial_square) {
+[[nodiscard]] inline ContactGeometry<T> cap_contact(const Stone<T>& stone, const T& side, const T& eta,
+                                                    const T& radial_square) {
   return {.height = formula::cap_support(stone, T(side * eta), radial_square),
           .slope = T(-(side * stone.sphere_offset)),
           .curvature = T(0)};
@@ -53,7 +53,7 @@ template <Field T>
 /// On the rim, S = r₁ √(1 − η²) + r₂. `radial` is √(u_x² + u_y²).
 /// Domain  radial > 0.   Proof  derivations/contact_motion.cpp.
 template <Field T>
-[[nodiscard]] ContactGeometry<T> rim_contact(const Stone<T>& stone, const T& eta, const T& radial) {
+[[nodiscard]] inline ContactGeometry<T> rim_contact(const Stone<T>& stone, const T& eta, const T& radial) {
   const T over = stone.bevel_major_radius / radial;
   return {.height = formula::rim_support(stone, radial),
           .slope = T(-(over * eta)),
@@ -68,8 +68,9 @@ template <Field T>
 /// with F the force at the contact and τ a torque beside it.
 /// Domain  |u| = 1.   Proof  derivations/contact_motion.cpp.
 template <Field T>
-[[nodiscard]] ContactMotion<T> contact_motion(const Mobility<T>& mobility, const Vec3<T>& gravity,
-                                              const ContactGeometry<T>& geometry, const Vec3<T>& u, const Vec3<T>& L) {
+[[nodiscard]] inline ContactMotion<T> contact_motion(const Mobility<T>& mobility, const Vec3<T>& gravity,
+                                                     const ContactGeometry<T>& geometry, const Vec3<T>& u,
+                                                     const Vec3<T>& L) {
   ContactMotion<T> now;
   now.u = u;
   now.L = L;
@@ -99,7 +100,8 @@ template <Field T>
 /// Horizontally it is at most δ, upright at most κ, and it is singular at ω = 0 alone. `floor` is added under the root.
 /// Domain  squares >= 0, not all of the root's zero.   Proof  derivations/contact_motion.cpp (it only brakes).
 template <Elementary T>
-[[nodiscard]] Vec3<T> resistance(const T& delta_square, const T& kappa_square, const Vec3<T>& w, const T& floor) {
+[[nodiscard]] inline Vec3<T> resistance(const T& delta_square, const T& kappa_square, const Vec3<T>& w,
+                                        const T& floor) {
   const T root = scalar::sqrt(
       T(delta_square * (scalar::sq(w.x()) + scalar::sq(w.y())) + kappa_square * scalar::sq(w.z()) + floor));
   const T roll = delta_square / root, pivot = kappa_square / root;
@@ -110,7 +112,7 @@ template <Elementary T>
 /// goes with a normal force of 1 does to the point.
 /// Domain  det(W + b ẑᵀ) ≠ 0: with b = 0 always.   Proof  derivations/contact_motion.cpp.
 template <Field T>
-[[nodiscard]] Vec3<T> rolling_force(const ContactMatrix<T>& W, const Vec3<T>& brake, const Vec3<T>& need) {
+[[nodiscard]] inline Vec3<T> rolling_force(const ContactMatrix<T>& W, const Vec3<T>& brake, const Vec3<T>& need) {
   const T xz = W.xz + brake.x(), yz = W.yz + brake.y(), zz = W.zz + brake.z();
   const T m_x = W.yy * zz - yz * W.yz, m_y = W.xy * zz - yz * W.xz, m_z = W.xy * W.yz - W.yy * W.xz;
   const T over = T(1) / (W.xx * m_x - W.xy * m_y + xz * m_z);
@@ -124,7 +126,7 @@ template <Field T>
 /// v = s − ω × r along the plane and v_z = −(ω × r)_z.
 /// Proof  derivations/contact_motion.cpp.
 template <Field T>
-[[nodiscard]] T contact_kinetic_energy(const ContactMotion<T>& now, const T& s_x, const T& s_y) {
+[[nodiscard]] inline T contact_kinetic_energy(const ContactMotion<T>& now, const T& s_x, const T& s_y) {
   return (formula::dot(now.L, now.w) + scalar::sq(T(s_x - now.point.x())) + scalar::sq(T(s_y - now.point.y())) +
           scalar::sq(now.point.z())) /
          T(2);

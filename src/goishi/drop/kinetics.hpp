@@ -50,20 +50,20 @@ struct Kinetics : ContactMotion<T> {
 
 /// Under the root of the resistance: an angular velocity of 1e-12 frequencies, which has no direction any more.
 template <Ordered T>
-[[nodiscard]] T resistance_floor(const ContactBody<T>& body) {
+[[nodiscard]] inline T resistance_floor(const ContactBody<T>& body) {
   return (scalar::sq(body.rolling_resistance) + scalar::sq(body.pivot_radius)) *
          scalar::sq(T(T(1e-12) * body.frequency));
 }
 
 /// Torque of resistance, per normal force   [m].
 template <Ordered T>
-[[nodiscard]] Vec3<T> resistance_torque(const ContactBody<T>& body, const Vec3<T>& w) {
+[[nodiscard]] inline Vec3<T> resistance_torque(const ContactBody<T>& body, const Vec3<T>& w) {
   return formula::resistance(scalar::sq(body.rolling_resistance), scalar::sq(body.pivot_radius), w,
                              resistance_floor(body));
 }
 
 template <Ordered T>
-[[nodiscard]] Kinetics<T> kinetics(const ContactBody<T>& body, Feature feature, const Variables<T>& y) {
+[[nodiscard]] inline Kinetics<T> kinetics(const ContactBody<T>& body, Feature feature, const Variables<T>& y) {
   // The rates see the axis' direction, so that its length, which the integration lets drift, is nobody's: by 1/√q to the
   // third order in q − 1, q = |u|², without a root.
   const T q = scalar::sq(y[at::u]) + scalar::sq(y[at::u + 1]) + scalar::sq(y[at::u + 2]);
@@ -92,8 +92,8 @@ template <Ordered T>
 /// The rates of the variables but the slip's, under a force F on the contact point that slips with (s_x, s_y). `origin`
 /// is the axis from which the attitude is carried.
 template <Ordered T>
-[[nodiscard]] Variables<T> rates(const ContactBody<T>& body, const Kinetics<T>& k, const Vec3<T>& F, const T& s_x,
-                                 const T& s_y, const Vec3<T>& origin) {
+[[nodiscard]] inline Variables<T> rates(const ContactBody<T>& body, const Kinetics<T>& k, const Vec3<T>& F,
+                                        const T& s_x, const T& s_y, const Vec3<T>& origin) {
   const Vec3<T> moment = formula::cross(k.r, F);
   const T N = F.z();
   const T lost = -(F.x() * s_x + F.y() * s_y + N * formula::dot(k.torque, k.w)) +

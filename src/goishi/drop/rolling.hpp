@@ -58,9 +58,12 @@ class Rolling {
   [[nodiscard]] Variables<T> operator()(const Variables<T>& y) {
     ++evaluations;
     now = kinetics(body_, feature_, y);
-    see_jam();
     force = formula::rolling_force(now.W, now.brake, now.need);
-    if (force.z() < T(0)) {  // under infinite friction a contact may pull; resistance goes by the size of the force
+    const bool solvable = is_solvable();
+    // Without resistance the contact would pull, as under infinite friction it may: resistance goes by the size of the force.
+    const bool pulls = (force.z() < T(0)) == solvable;
+    jams_ = jams_ || !(solvable || pulls);
+    if (pulls) {
       now.torque = formula::scaled(T(-1), now.torque);
       now.brake = formula::scaled(T(-1), now.brake);
       force = formula::rolling_force(now.W, now.brake, now.need);
@@ -136,13 +139,11 @@ class Rolling {
   int evaluations = 0;
 
  private:
-  /// Where 1 + ẑ · W⁻¹ b vanishes, b = J τ × r: the more a contact presses, the more resistance turns the stone into it.
-  /// W >= 1, so that a small b cannot.
-  void see_jam() {
+  /// Up to where 1 + ẑ · W⁻¹ b vanishes, b = J τ × r: there, the more a contact presses, the more resistance turns the stone
+  /// into it. W >= 1, so that a small b cannot.
+  [[nodiscard]] bool is_solvable() const {
     const Vec3<T>& b = now.brake;
-    if (T(1) < T(4) * formula::dot(b, b)) {
-      jams_ = jams_ || !(T(1e-6) < T(1) + formula::solution(now.W, b).z());
-    }
+    return formula::dot(b, b) < T(0.25) || T(1e-6) < T(1) + formula::solution(now.W, b).z();
   }
 
   const ContactBody<T>& body_;

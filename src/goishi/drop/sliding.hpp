@@ -138,7 +138,7 @@ class Sliding {
     sigma_ = y[at::slip];
   }
 
-  void direct(const T& phi) {
+  void direct(const T phi) {  // a copy, so that both are one call
     phi_ = phi;
     c_ = scalar::cos(phi);
     s_ = scalar::sin(phi);

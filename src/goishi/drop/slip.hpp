@@ -35,8 +35,8 @@ namespace formula {
 /// b = J τ × r is what the resistance of a normal force 1 does to the contact point.
 /// Domain  D > 0.   Proof  derivations/slip.cpp, the slope included.
 template <Field T>
-[[nodiscard]] SlipRate<T> slip_rate(const ContactMatrix<T>& W, const Vec3<T>& brake, const Vec3<T>& need, const T& mu,
-                                    const T& c, const T& s) {
+[[nodiscard]] inline SlipRate<T> slip_rate(const ContactMatrix<T>& W, const Vec3<T>& brake, const Vec3<T>& need,
+                                           const T& mu, const T& c, const T& s) {
   SlipRate<T> rate;
   rate.denominator = W.zz + brake.z() - mu * (W.xz * c + W.yz * s);
   const T over = T(1) / rate.denominator;
@@ -57,8 +57,8 @@ template <Field T>
 /// the plane. Every smooth law is of this form, with a k of its own.
 /// Domain  D = W_zz + b_z − k (W_xz s_x + W_yz s_y) > 0.   Proof  derivations/slip.cpp.
 template <Field T>
-[[nodiscard]] GlideRate<T> glide_rate(const ContactMatrix<T>& W, const Vec3<T>& brake, const Vec3<T>& need, const T& k,
-                                      const T& s_x, const T& s_y) {
+[[nodiscard]] inline GlideRate<T> glide_rate(const ContactMatrix<T>& W, const Vec3<T>& brake, const Vec3<T>& need,
+                                             const T& k, const T& s_x, const T& s_y) {
   const Vec3<T> q(T(-(k * s_x)), T(-(k * s_y)), T(1));
   const Vec3<T> gained = formula::plus(formula::product(W, q), brake);
   GlideRate<T> rate;
@@ -75,7 +75,8 @@ template <Field T>
 /// Domain  not all three of the root zero.   Limits  no patch, no creep: μ/|s|.
 /// Source  Zhuravlev, J. Appl. Math. Mech. 62 (1998) 705.   Proof  derivations/slip.cpp.
 template <Elementary T>
-[[nodiscard]] T patch_friction(const T& mu, const T& patch, const T& w_z, const T& slip_square, const T& creep_square) {
+[[nodiscard]] inline T patch_friction(const T& mu, const T& patch, const T& w_z, const T& slip_square,
+                                      const T& creep_square) {
   return mu / scalar::sqrt(T(slip_square + scalar::sq(T(patch * w_z)) + creep_square));
 }
 

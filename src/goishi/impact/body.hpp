@@ -57,7 +57,7 @@ template <Field T>
 ///
 /// Domain  u unit.   Proof  derivations/impact.cpp.
 template <Field T>
-[[nodiscard]] Vec3<T> turning(const Mobility<T>& mobility, const Vec3<T>& u_W, const Vec3<T>& L_W) {
+[[nodiscard]] inline Vec3<T> turning(const Mobility<T>& mobility, const Vec3<T>& u_W, const Vec3<T>& L_W) {
   const T along = mobility.axial * formula::dot(u_W, L_W);
   return {T(mobility.transverse * L_W.x() + along * u_W.x()), T(mobility.transverse * L_W.y() + along * u_W.y()),
           T(mobility.transverse * L_W.z() + along * u_W.z())};
