@@ -97,6 +97,21 @@ TEST(DropLimits, AnInfiniteHorizonHasFiniteTimes) {
   }
 }
 
+TEST(DropLimits, ThinStonesComeToRest) {
+  for (const double thin : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7}) {
+    for (const double bevel : {0.0, 0.3}) {
+      for (const double degrees : {20.0, 88.0}) {
+        Thrown stone = thrown(make_stone(0.022, 0.022 * thin, 0.022 * thin * bevel));
+        stone.tilt(degrees);
+        stone.settings.tolerance = 1e-6;
+        const Drop<double> drop = stone.drop_on_board();
+        EXPECT_EQ(drop.status, DropStatus::rest) << thin << ", " << bevel << ", " << degrees;
+        EXPECT_LT(drop.counters.work(), 200000) << thin << ", " << bevel << ", " << degrees;
+      }
+    }
+  }
+}
+
 TEST(DropLimits, NothingThatNeverEndsIsFollowedWithoutEnd) {
   Thrown stone;  // neither friction nor resistance
   stone.settings.friction = 0.0;

@@ -203,12 +203,14 @@ template <Ordered T>
   return falling_time(gap, rate, T(-bend));
 }
 
-/// The same where the bend of a whole flight says little: doubled as often as the bend within that time allows.
+/// The same where the bend of a whole flight says little: doubled as often as the bend within that time allows, each time
+/// counted as a step.
 template <Ordered T>
-[[gnu::noinline]] [[nodiscard]] T safe_step_within(const GapAlong<T>& gap, const T& t, const T& height, const T& rate) {
+[[gnu::noinline]] [[nodiscard]] T safe_step_within(const GapAlong<T>& gap, const T& t, const T& height, const T& rate,
+                                                   int& steps) {
   constexpr int most_doublings = 60;
   T step = safe_step(height, rate, gap.bend());
-  for (int i = 0; i < most_doublings; ++i) {
+  for (int i = 0; i < most_doublings; ++i, ++steps) {
     const T longer = T(2) * step, safe = safe_step(height, rate, gap.bend_within(t, longer));
     if (!(longer <= safe)) {
       return step < safe ? safe : step;
@@ -274,7 +276,7 @@ template <Ordered T>
     // On the surface and leaving it: the step is what it takes for the gap to come back at the earliest.
     const T height = T(0) < now.gap ? now.gap : T(0);
     const T step =
-        gap.is_loose() ? safe_step_within(gap, t, height, now.rate) : safe_step(height, now.rate, gap.bend());
+        gap.is_loose() ? safe_step_within(gap, t, height, now.rate, steps) : safe_step(height, now.rate, gap.bend());
     const T next = t + step;
     if (last || !(t < next)) {
       return hit_or_lost(now, last ? next : t, sure, steps);

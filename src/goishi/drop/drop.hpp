@@ -65,7 +65,8 @@ template <Ordered T>
 /// Rest    is a statement of statics, for one contact or several: there are forces inside the cones of friction, and
 ///         torques inside the resistance, that balance gravity where the stone is; what was left of its motion is less
 ///         than they take in turning it by the tolerance. Its time and place are those of the stop. Claim DROP-20.
-/// Scale   none of its own: DROP-25, DROP-26.
+/// Scale   none of its own: DROP-25, DROP-26. Stones as thin as 1e-7 of their width come to rest as others do; thinner
+///         ones bounce and rock so often that they may be given up (DropLimits.ThinStonesComeToRest).
 /// Error   every link of a drop against witnesses: DROP-18, at tolerance 1e-12 to 1e-9. Bounces: DROP-1, DROP-2. The
 ///         contact phase against exact answers: DROP-3 … DROP-14, and against Lagrange's equations: DROP-17. Where the
 ///         stone comes to rest, by tolerance: DROP-19. Energy never rises but by the tolerance: DROP-20.
