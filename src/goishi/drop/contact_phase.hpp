@@ -205,7 +205,11 @@ class ContactPhase {
   /// Slip, turning and normal force chosen together. True when the contact phase is over; `end_` says how.
   [[nodiscard]] bool settle() {
     Variables<T>& y = contact_.y;
-    const Kinetics<T> now = kinetics(body_, contact_.feature, y);
+    Kinetics<T> now = kinetics(body_, contact_.feature, y);
+    if (body_.resists && !contact_.turns(now)) {
+      y[at::L] = y[at::L + 1] = y[at::L + 2] = T(0);
+      now = kinetics(body_, contact_.feature, y);
+    }
     const std::array<T, 2> slip = contact_.slip();
     const T usual = onset_time(body_, now, slip[0], slip[1]), left = run_.left();
     const T h = left < usual ? left : usual;

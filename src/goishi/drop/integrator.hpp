@@ -157,18 +157,12 @@ class ContactIntegrator {
   /// Whether a slip has a direction: a dry one that begins has not yet.
   [[nodiscard]] bool slips() const { return contact_.mode != ContactMode::sliding || T(0) < contact_.y[at::slip]; }
 
-  /// The slowest turning that has a direction   [1/s].
-  [[nodiscard]] T slowest() const {
-    const T share = T(0.01) * run_.settings.tolerance;
-    return (share < T(1e-11) ? T(1e-11) : share) * contact_.scales.frequency;
-  }
-
   /// Whether resistance has stopped the turning, or a stone that does not turn yet will: which way, the equations do not
   /// say there, since resistance is against it.
   template <class Equations>
   [[nodiscard]] bool turning_is_to_begin(const Equations& equations, const Variables<T>& rate) const {
     const Kinetics<T>& k = equations.now;
-    return contact_.body.resists && T(0) < k.need.z() && formula::dot(k.w, k.w) <= scalar::sq(slowest()) &&
+    return contact_.body.resists && T(0) < k.need.z() && !contact_.turns(k) &&
            k.w.x() * rate[at::L] + k.w.y() * rate[at::L + 1] + k.w.z() * rate[at::L + 2] <= T(0);
   }
 

@@ -59,10 +59,10 @@ class Rolling {
     ++evaluations;
     now = kinetics(body_, feature_, y);
     force = formula::rolling_force(now.W, now.brake, now.need);
-    const bool solvable = is_solvable();
+    const T room = press_room();
     // Without resistance the contact would pull, as under infinite friction it may: resistance goes by the size of the force.
-    const bool pulls = (force.z() < T(0)) == solvable;
-    jams_ = jams_ || !(solvable || pulls);
+    const bool pulls = (force.z() < T(0)) == (T(0) < room);
+    jams_ = jams_ || !(T(1e-6) < room || pulls);
     if (pulls) {
       now.torque = formula::scaled(T(-1), now.torque);
       now.brake = formula::scaled(T(-1), now.brake);
@@ -139,11 +139,11 @@ class Rolling {
   int evaluations = 0;
 
  private:
-  /// Up to where 1 + ẑ · W⁻¹ b vanishes, b = J τ × r: there, the more a contact presses, the more resistance turns the stone
-  /// into it. W >= 1, so that a small b cannot.
-  [[nodiscard]] bool is_solvable() const {
+  /// 1 + ẑ · W⁻¹ b, b = J τ × r: below 0, the more a contact presses, the more resistance turns the stone into it. W >= 1, so
+  /// that a small b leaves much of it.
+  [[nodiscard]] T press_room() const {
     const Vec3<T>& b = now.brake;
-    return formula::dot(b, b) < T(0.25) || T(1e-6) < T(1) + formula::solution(now.W, b).z();
+    return formula::dot(b, b) < T(0.25) ? T(1) : T(T(1) + formula::solution(now.W, b).z());
   }
 
   const ContactBody<T>& body_;
