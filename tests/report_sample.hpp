@@ -36,17 +36,12 @@ struct Sample {
                       "volume",
                       family,
                       "an oracle",
-                      "ulp",
-                      bound,
-                      "derived from six roundings",
-                      1.0,
+                      {{.unit = "ulp", .bound = bound, .reason = "derived from six roundings", .resolution = 1.0}},
                       {{"mass/volume.hpp", "a + b", "a - b"}},
                       {}});
     Result result;
     result.claim = &claims.back();
-    result.measurement.error = error;
-    result.measurement.cases = 12345;
-    result.measurement.worst_case = "w = 0x1.8p-6";
+    result.measurement.checks = {{.error = error, .cases = 12345, .worst_case = "w = 0x1.8p-6"}};
     result.verdict = judge(claims.back(), result.measurement);
     result.seconds = 0.25;
     run.results.push_back(result);
@@ -77,17 +72,19 @@ inline void fill(Sample& sample) {
                            nasty,
                            OracleFamily::exact,
                            nasty,
-                           nasty,
-                           4,
-                           nasty,
-                           1,
+                           {{.name = nasty, .unit = nasty, .bound = 4, .reason = nasty, .resolution = 1},
+                            {.name = "other", .unit = "", .bound = 0, .reason = "none", .counts = true}},
                            {{nasty, nasty, nasty}, {"x", "y", ""}},
                            {}});
   Result hostile = sample.run.results.front();
   hostile.claim = &sample.claims.back();
-  hostile.measurement.worst_case = nasty;
+  hostile.measurement.checks = {{.check = nasty, .error = 1, .cases = 1, .worst_case = nasty},
+                                {.check = "other", .error = 0, .cases = 7}};
   hostile.measurement.figures = {{nasty, nasty}};
-  hostile.verdict = {false, 1, nasty};
+  hostile.verdict = judge(sample.claims.back(), hostile.measurement);
+  hostile.verdict.holds = hostile.verdict.judgements.front().holds = false;
+  hostile.verdict.why = hostile.verdict.judgements.front().why = nasty;
+  hostile.verdict.seen = {9, 0};
   sample.run.results.push_back(hostile);
 }
 

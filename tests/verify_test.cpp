@@ -23,25 +23,19 @@ Claim claim_with(double bound, double resolution = 0.0) {
           .function = "none",
           .family = OracleFamily::exact,
           .oracle = "none",
-          .unit = "ulp",
-          .bound = bound,
-          .reason = "none",
-          .resolution = resolution,
+          .checks = {{.unit = "ulp", .bound = bound, .reason = "none", .resolution = resolution}},
           .mutants = {},
           .measure = {}};
 }
 
 Measurement measured(double error, std::uint64_t cases = 1) {
-  Measurement result;
-  result.error = error;
-  result.cases = cases;
-  return result;
+  return {.checks = {{.error = error, .cases = cases}}};
 }
 
 TEST(Judge, HoldsWithinTheBound) {
   const Verdict verdict = judge(claim_with(4.0), measured(2.0));
   EXPECT_TRUE(verdict.holds);
-  EXPECT_EQ(verdict.slack, 2.0);
+  EXPECT_EQ(verdict.judgements.at(0).slack, 2.0);
   EXPECT_TRUE(verdict.why.empty());
 }
 
@@ -72,18 +66,69 @@ TEST(Judge, ExactClaimsTakeZeroAndNothingElse) {
   EXPECT_FALSE(judge(claim_with(0.0), measured(std::numeric_limits<double>::denorm_min())).holds);
 }
 
+/// Two checks, by name.
+Claim claim_of_two() {
+  Claim claim = claim_with(4.0);
+  claim.checks = {{.name = "place", .unit = "m", .bound = 4.0, .reason = "none"},
+                  {.name = "time", .unit = "s", .bound = 100.0, .reason = "none"}};
+  return claim;
+}
+
+TEST(Judge, EachCheckByItself) {
+  const auto found = [](double place, double time) {
+    return Measurement{
+        .checks = {{.check = "time", .error = time, .cases = 1}, {.check = "place", .error = place, .cases = 1}}};
+  };
+  const Verdict good = judge(claim_of_two(), found(2.0, 80.0));
+  EXPECT_TRUE(good.holds);
+  EXPECT_EQ(good.judgements.at(0).slack, 2.0);
+  EXPECT_EQ(good.judgements.at(1).slack, 1.25);
+  EXPECT_EQ(good.weakest(), 1U);
+  const Verdict loose = judge(claim_of_two(), found(2.0, 0.5));  // a bound that guards nothing, beside one that does
+  EXPECT_FALSE(loose.holds);
+  EXPECT_EQ(loose.weakest(), 1U);
+  EXPECT_EQ(loose.why.find("time: "), 0U);
+  EXPECT_FALSE(judge(claim_of_two(), found(nan, 80.0)).holds);
+}
+
+TEST(Judge, EveryCheckIsMeasuredAndNoOther) {
+  Measurement half{.checks = {{.check = "place", .error = 2.0, .cases = 1}}};
+  EXPECT_FALSE(judge(claim_of_two(), half).holds);
+  half.checks.push_back({.check = "time", .error = 80.0, .cases = 1});
+  EXPECT_TRUE(judge(claim_of_two(), half).holds);
+  half.checks.push_back({.check = "tmie", .error = 0.0, .cases = 1});
+  EXPECT_FALSE(judge(claim_of_two(), half).holds);
+  Claim none = claim_with(1.0);
+  none.checks.clear();
+  EXPECT_FALSE(judge(none, {}).holds);
+}
+
+TEST(Checks, KeepsEachByItsName) {
+  Checks checks;
+  checks["place"].see(1.0, [] { return "a"; });
+  Worst& time = checks["time"];
+  checks["spin"].see(9.0, [] { return "b"; });
+  time.see(70.0, [] { return "c"; });
+  checks["place"].see(3.0, [] { return "d"; });
+  const Measurement found = checks.measurement();
+  ASSERT_EQ(found.checks.size(), 3U);
+  EXPECT_EQ(found.checks[0].check, "place");
+  EXPECT_EQ(found.checks[0].worst_case, "d");
+  EXPECT_EQ(found.checks[1].error, 70.0);
+}
+
 TEST(Worst, KeepsTheWorstAndNan) {
   Worst worst;
   worst.see(1.0, [] { return "a"; });
   worst.see(3.0, [] { return "b"; });
   worst.see(2.0, [] { return "c"; });
-  EXPECT_EQ(worst.measurement().error, 3.0);
-  EXPECT_EQ(worst.measurement().worst_case, "b");
+  EXPECT_EQ(worst.measured().error, 3.0);
+  EXPECT_EQ(worst.measured().worst_case, "b");
   worst.see(nan, [] { return "d"; });
   worst.see(4.0, [] { return "e"; });
-  EXPECT_TRUE(std::isnan(worst.measurement().error));
-  EXPECT_EQ(worst.measurement().worst_case, "d");
-  EXPECT_EQ(worst.measurement().cases, 5U);
+  EXPECT_TRUE(std::isnan(worst.measured().error));
+  EXPECT_EQ(worst.measured().worst_case, "d");
+  EXPECT_EQ(worst.measured().cases, 5U);
 }
 
 /// An infinite allowance makes every error 0.
@@ -95,7 +140,7 @@ TEST(Worst, AnAllowanceGuardsSomething) {
     worst.see(0.5, 1.0, [] { return "a"; });
     worst.see(0.5, allowed, [] { return "b"; });
     EXPECT_TRUE(std::isnan(worst.error())) << allowed;
-    EXPECT_EQ(worst.measurement().worst_case, "b");
+    EXPECT_EQ(worst.measured().worst_case, "b");
     EXPECT_FALSE(judge(claim_with(1.0, 0.1), worst.measurement()).holds);
   }
   Worst worst;
@@ -106,7 +151,7 @@ TEST(Worst, AnAllowanceGuardsSomething) {
 }
 
 TEST(Worst, OfNothingIsNan) {
-  EXPECT_TRUE(std::isnan(Worst().measurement().error));
+  EXPECT_TRUE(std::isnan(Worst().measured().error));
 }
 
 TEST(Ulps, CountsInTheGridOfTheResult) {
@@ -164,10 +209,28 @@ TEST(Run, IsTheSameForAnyNumberOfThreads) {
   const auto error_of_first = [&](unsigned threads, std::uint64_t seed) {
     return run_claims(claims, make_stamp(seed, Tier::quick), threads, [](const Result&, std::size_t) {})
         .results[0]
-        .measurement.error;
+        .measurement.checks.at(0)
+        .error;
   };
   EXPECT_EQ(error_of_first(1, 7), error_of_first(3, 7));
   EXPECT_NE(error_of_first(1, 7), error_of_first(1, 8));
+}
+
+/// A check that nothing could make fail does not hold, in the full tier, unless it counts.
+TEST(Run, ACheckSeesSomethingOrCounts) {
+  Claim blind = claim_with(1.0, 0.1);
+  blind.measure = [](Context&) { return measured(0.5); };
+  Claim seeing = claim_with(1.0, 0.1);
+  seeing.measure = [](Context& context) { return measured(std::abs(context.produced(1e6) - 1e6) + 0.5); };
+  Claim counting = blind;
+  counting.checks.front().counts = true;
+  const std::vector<Claim> claims = {blind, seeing, counting};
+  const auto full = run_claims(claims, make_stamp(1, Tier::full), 1, [](const Result&, std::size_t) {});
+  EXPECT_FALSE(full.results[0].verdict.holds);
+  EXPECT_TRUE(full.results[1].verdict.holds);
+  EXPECT_EQ(full.results[1].verdict.seen.at(0), 6);
+  EXPECT_TRUE(full.results[2].verdict.holds);
+  EXPECT_EQ(run_claims(claims, make_stamp(1, Tier::quick), 1, [](const Result&, std::size_t) {}).failures(), 0U);
 }
 
 TEST(Context, PerturbsWhatIsProduced) {

@@ -3,7 +3,9 @@
 /// What a claim is: a sentence about a production function, an oracle of another family, a measured error, a bound
 /// with its reason, and the wrong changes to the source that it is known to catch.
 
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <limits>
 #include <random>
@@ -57,12 +59,18 @@ struct Figure {
   std::string value;
 };
 
-struct Measurement {
-  double error = std::numeric_limits<double>::quiet_NaN();  // the worst found, in the claim's unit
+/// What a check found.
+struct Measured {
+  std::string check = {};                                   // its name
+  double error = std::numeric_limits<double>::quiet_NaN();  // the worst, in the check's unit
   std::uint64_t cases = 0;                                  // how many values were compared
-  std::string worst_case;                                   // the arguments of the worst, so that it can be repeated
-  std::vector<Figure> figures;
-  std::vector<Plot> plots;
+  std::string worst_case = {};                              // the arguments of the worst, so that it can be repeated
+};
+
+struct Measurement {
+  std::vector<Measured> checks;  // those of the claim, in any order
+  std::vector<Figure> figures = {};
+  std::vector<Plot> plots = {};
 };
 
 /// A run's settings, and the claim's own random numbers: the same for a seed and an id, whatever else runs.
@@ -91,38 +99,73 @@ class Context {
   double perturbation_;
 };
 
+/// One comparison of a claim, and by what it is judged.
+struct Check {
+  std::string name = {};  // "place of rest"; empty where the claim has no other
+  std::string unit;       // of error and bound: "ulp", "relative", "count", …
+  double bound;
+  std::string reason;       // where the bound comes from: derived, or "measured" with the date
+  double resolution = 0.0;  // one ulp of the quantity, in the unit; a smaller error counts as this much
+  bool counts = false;      // faults, choices, proofs, or a width: it compares no values
+};
+
 struct Claim {
   std::string id;         // "MASS-1"
   std::string statement;  // a sentence that a user can read
   std::string function;   // the production function that it is about
   OracleFamily family;
   std::string oracle;  // the witness, in a phrase
-  std::string unit;    // of error and bound: "ulp", "relative", "count", …
-  double bound;
-  std::string reason;       // where the bound comes from: derived, or "measured" with the date
-  double resolution = 0.0;  // one ulp of the quantity, in the unit; a smaller error counts as this much
+  std::vector<Check> checks;
   std::vector<Mutant> mutants;
   std::function<Measurement(Context&)> measure;
   std::string source = {};  // its file below verify/, set by `all_claims`
 };
 
-/// A bound that is this many times what is measured guards nothing: the claim fails.
+/// A bound that is this many times what is measured guards nothing: the check fails.
 inline constexpr double greatest_slack = 100.0;
 
-struct Verdict {
+/// Of one check.
+struct Judgement {
   bool holds = false;
-  double slack = 0.0;  // bound / max(error, resolution); 1 for an exact claim that holds
-  std::string why;     // why it does not hold; empty if it does
+  double slack = 0.0;    // bound / max(error, resolution); 1 for an exact check that holds
+  std::string why = {};  // why it does not hold; empty if it does
 };
 
 /// NaN fails, an error above the bound fails, a slack over `greatest_slack` fails, no case compared fails.
+[[nodiscard]] Judgement judge(const Check& check, const Measured& measured);
+
+/// Of a claim, which holds if each of its checks was measured and holds, and nothing else was measured.
+struct Verdict {
+  bool holds = false;
+  std::string why = {};                    // of the first check that does not hold; empty if all do
+  std::vector<Measured> measured = {};     // by the checks of the claim, in their order
+  std::vector<Judgement> judgements = {};  // likewise
+  std::vector<int> seen = {};              // likewise, in the full tier: 1e-k is the least relative error seen; 0: none
+
+  /// The check that does not hold, or else the one with the greatest error for its bound.
+  [[nodiscard]] std::size_t weakest() const;
+};
+
 [[nodiscard]] Verdict judge(const Claim& claim, const Measurement& measurement);
+
+/// A check with all that is known of it.
+struct Checked {
+  const Check& check;
+  const Measured& measured;
+  const Judgement& judgement;
+  int seen;  // 1e-seen is the least relative error of the values that it still sees; 0: none, or not asked
+};
 
 struct Result {
   const Claim* claim = nullptr;
   Measurement measurement;
   Verdict verdict;
   double seconds = 0.0;
+
+  [[nodiscard]] Checked checked(std::size_t i) const {
+    return {claim->checks[i], verdict.measured[i], verdict.judgements[i], verdict.seen.empty() ? 0 : verdict.seen[i]};
+  }
+  [[nodiscard]] Checked weakest() const { return checked(verdict.weakest()); }
 };
 
 /// An error in units of what is allowed. An allowance that is not positive and finite guards nothing: NaN.
@@ -152,18 +195,43 @@ class Worst {
   }
   [[nodiscard]] double error() const { return error_; }
   [[nodiscard]] std::uint64_t cases() const { return cases_; }
-  [[nodiscard]] Measurement measurement() const {
-    Measurement result;
-    result.error = cases_ == 0 ? std::numeric_limits<double>::quiet_NaN() : error_;
-    result.cases = cases_;
-    result.worst_case = worst_case_;
-    return result;
+  [[nodiscard]] Measured measured(std::string check = {}) const {
+    return {.check = std::move(check),
+            .error = cases_ == 0 ? std::numeric_limits<double>::quiet_NaN() : error_,
+            .cases = cases_,
+            .worst_case = worst_case_};
   }
+  /// Of a claim with one check.
+  [[nodiscard]] Measurement measurement() const { return {.checks = {measured()}}; }
 
  private:
   double error_ = -1.0;
   std::uint64_t cases_ = 0;
   std::string worst_case_;
+};
+
+/// The comparisons of a claim with several checks, each by its name.
+class Checks {
+ public:
+  /// Made at its first use.
+  Worst& operator[](std::string_view name) {
+    for (auto& [known, worst] : checks_) {
+      if (known == name) {
+        return worst;
+      }
+    }
+    return checks_.emplace_back(name, Worst()).second;
+  }
+  [[nodiscard]] Measurement measurement() const {
+    Measurement result;
+    for (const auto& [name, worst] : checks_) {
+      result.checks.push_back(worst.measured(name));
+    }
+    return result;
+  }
+
+ private:
+  std::deque<std::pair<std::string, Worst>> checks_;  // which keeps references
 };
 
 }  // namespace goishi::verify

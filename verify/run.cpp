@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 #include <sys/utsname.h>
 
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <ctime>
 #include <exception>
 #include <fstream>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "build_info.hpp"
@@ -37,22 +39,41 @@ std::string first_value(const char* path, std::string_view key, char separator) 
   return {};
 }
 
-bool fails_when_perturbed(const Claim& claim, const Stamp& stamp, double perturbation) {
-  Context context(Tier::quick, stamp.seed, claim.id, perturbation);
-  return !judge(claim, claim.measure(context)).holds;
+/// For each check the greatest k at which 10^-k, added relatively to every production value, makes it fail; 0 if none does.
+std::vector<int> smallest_errors_seen(const Claim& claim, const Stamp& stamp) {
+  constexpr int finest = 17;
+  std::array<std::optional<Verdict>, finest> verdicts;  // at 10^-k, where it was asked
+  const auto fails = [&](std::size_t check, int k) {
+    std::optional<Verdict>& verdict = verdicts[static_cast<std::size_t>(k)];
+    if (!verdict) {
+      Context context(Tier::quick, stamp.seed, claim.id, std::pow(10.0, -k));
+      verdict = judge(claim, claim.measure(context));
+    }
+    return !verdict->judgements[check].holds;
+  };
+  std::vector<int> seen;
+  for (std::size_t check = 0; check < claim.checks.size(); ++check) {
+    // 10^-low is seen (or nothing is), 10^-high is not.
+    int low = 0, high = finest;
+    while (high - low > 1) {
+      const int middle = (low + high) / 2;
+      (fails(check, middle) ? low : high) = middle;
+    }
+    seen.push_back(low);
+  }
+  return seen;
 }
 
-/// The smallest power of ten that, added relatively to every production value, makes the claim fail.
-Figure smallest_error_seen(const Claim& claim, const Stamp& stamp) {
-  // Exponents: -low is seen (or nothing is), -high is not.
-  int low = 0;
-  int high = 17;
-  while (high - low > 1) {
-    const int middle = (low + high) / 2;
-    (fails_when_perturbed(claim, stamp, std::pow(10.0, -middle)) ? low : high) = middle;
+/// A check that no error of the values could make fail guards nothing, unless it counts.
+void require_sensitivity(const Claim& claim, const Stamp& stamp, Verdict& verdict) {
+  verdict.seen = smallest_errors_seen(claim, stamp);
+  for (std::size_t i = 0; i < claim.checks.size(); ++i) {
+    if (verdict.seen[i] == 0 && !claim.checks[i].counts && verdict.holds) {
+      verdict.holds = false;
+      verdict.judgements[i] = {.why = "no error of the values makes it fail, and it does not say that it counts"};
+      verdict.why = (claim.checks[i].name.empty() ? "" : claim.checks[i].name + ": ") + verdict.judgements[i].why;
+    }
   }
-  return {.name = "smallest relative error of the production values that this claim still sees",
-          .value = low == 0 ? "none: it compares no values" : fmt::format("1e-{}", low)};
 }
 
 Result measure(const Claim& claim, const Stamp& stamp) {
@@ -64,10 +85,11 @@ Result measure(const Claim& claim, const Stamp& stamp) {
     result.measurement = claim.measure(context);
     result.verdict = judge(claim, result.measurement);
     if (stamp.tier == Tier::full && result.verdict.holds) {
-      result.measurement.figures.push_back(smallest_error_seen(claim, stamp));
+      require_sensitivity(claim, stamp, result.verdict);
     }
   } catch (const std::exception& error) {
-    result.verdict = {.holds = false, .slack = 0.0, .why = fmt::format("the measurement stopped: {}", error.what())};
+    result.verdict = judge(claim, {});
+    result.verdict.why = fmt::format("the measurement stopped: {}", error.what());
   }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;

@@ -70,7 +70,7 @@ Plot picture() {
 
 Measurement measure_regions(Context& context) {
   Measurement result;
-  result.error = 0.0;
+  Measured& seen = result.checks.emplace_back(Measured{.error = 0.0});
   std::array<int, 10> regions{};
   Specimen specimen;
   for (int i = 0; i < context.samples(40000, 400000); ++i) {
@@ -92,10 +92,10 @@ Measurement measure_regions(Context& context) {
     const bool touches = std::fabs(at.gap) < 1e-3 * reach || (at.gap < 0.0 && pose.p_WB.z() > -stone.height / 2.0);
     const bool wrong = region == Region::out_of_reach ? at.gap < -4.0 * epsilon * board.half_length
                                                       : touches && !allows(region, at.n_W);
-    ++result.cases;
+    ++seen.cases;
     if (wrong) {
-      result.error += 1.0;
-      result.worst_case =
+      seen.error += 1.0;
+      seen.worst_case =
           fmt::format("{}: {}, board {:a} × {:a}, n = {}, gap {:.6g}", to_string(region), describe(specimen, pose),
                       board.half_width, board.half_length, describe(at.n_W), at.gap);
     }
@@ -177,10 +177,7 @@ std::vector<Claim> board_claims() {
        .function = "region_of",
        .family = OracleFamily::invariant,
        .oracle = "the normal of the separation, which CONTACT-2 judges, at poses of every stratum",
-       .unit = "poses",
-       .bound = 0.0,
-       .reason = "there must be none",
-       .resolution = 0.0,
+       .checks = {{.unit = "poses", .bound = 0.0, .reason = "there must be none", .resolution = 0.0, .counts = true}},
        .mutants = {{"board/board.hpp", "board.half_width - reach < x", "board.half_width < x"},
                    {"board/board.hpp", "board.half_length + reach < y", "board.half_length < y"},
                    {"board/board.hpp", "const bool bottom = p_W.y() < T(0);", "const bool bottom = p_W.x() < T(0);"}},
@@ -192,10 +189,10 @@ std::vector<Claim> board_claims() {
        .function = "cast_ray (board)",
        .family = OracleFamily::invariant,
        .oracle = "inside the box or not, along the ray",
-       .unit = "of the board and the distance",
-       .bound = 1e-14,
-       .reason = "a difference and a quotient of up to 10 m, and the point p + t u, each rounded once",
-       .resolution = epsilon,
+       .checks = {{.unit = "of the board and the distance",
+                   .bound = 1e-14,
+                   .reason = "a difference and a quotient of up to 10 m, and the point p + t u, each rounded once",
+                   .resolution = epsilon}},
        .mutants = {{"board/ray.hpp", "if (exit.t < entry.t) {", "if (exit.t < T(0)) {"},
                    {"board/ray.hpp", "Vec3<T> low(-board.half_width, -board.half_length, -board.thickness)",
                     "Vec3<T> low(-board.half_width, -board.half_length, T(-2) * board.thickness)"},

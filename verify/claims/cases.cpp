@@ -221,19 +221,21 @@ Measurement measure_dzhanibekov(Context& context) {
 
 Claim case_claim(const char* id, const char* statement, const char* function, const char* oracle,
                  std::vector<Mutant> mutants, Measurement (*measure)(Context&)) {
-  return {.id = id,
-          .statement = statement,
-          .function = function,
-          .family = OracleFamily::published,
-          .oracle = oracle,
-          .unit = "of the error allowed",
-          .bound = 1.0,
-          .reason =
-              "the printed digits go further than these: the closed forms are allowed 2 ε (1 + the angle turned), "
-              "splitting-6 the round-off of its steps (ORDER-4) sheared by that angle",
-          .resolution = 0.01,
-          .mutants = std::move(mutants),
-          .measure = measure};
+  return {
+      .id = id,
+      .statement = statement,
+      .function = function,
+      .family = OracleFamily::published,
+      .oracle = oracle,
+      .checks =
+          {{.unit = "of the error allowed",
+            .bound = 1.0,
+            .reason =
+                "the printed digits go further than these: the closed forms are allowed 2 ε (1 + the angle turned), "
+                "splitting-6 the round-off of its steps (ORDER-4) sheared by that angle",
+            .resolution = 0.01}},
+      .mutants = std::move(mutants),
+      .measure = measure};
 }
 
 }  // namespace

@@ -122,9 +122,7 @@ std::vector<Claim> certified_claims() {
        .function = "goishi::formula on Arb balls",
        .family = OracleFamily::independent,
        .oracle = arb,
-       .unit = "enclosures missed",
-       .bound = 0.0,
-       .reason = "two enclosures of one number meet",
+       .checks = {{.unit = "enclosures missed", .bound = 0.0, .reason = "two enclosures of one number meet"}},
        .mutants = {{"mass/inertia.hpp", "T(5) * c2 + a2", "T(4) * c2 + a2"},
                    {"mass/inertia.hpp", "T(6) * r1_2 * arc.c3", "T(5) * r1_2 * arc.c3"},
                    {"mass/volume.hpp", "T(2) * (terms.half_band", "(terms.half_band"},
@@ -137,11 +135,12 @@ std::vector<Claim> certified_claims() {
        .function = "the oracle of CERTIFIED-1",
        .family = OracleFamily::exact,
        .oracle = "the balls' own radii",
-       .unit = "relative radius",
-       .bound = 2e-31,
-       .reason =
-           "Arb is asked for 104 bits, 5e-32, of each arc; two arcs have twice that, and a quotient adds two such",
-       .resolution = 1e-32,
+       .checks = {{.unit = "relative radius",
+                   .bound = 2e-31,
+                   .reason = "Arb is asked for 104 bits, 5e-32, of each arc; two arcs have twice that, and a quotient "
+                             "adds two such",
+                   .resolution = 1e-32,
+                   .counts = true}},
        .mutants = {},
        .measure = measure_width},
   };

@@ -127,16 +127,16 @@ std::string defect(const Separation<double>& at, double scale) {
 
 Measurement measure_million(Context& context) {
   Measurement result;
-  result.error = 0.0;
+  Measured& seen = result.checks.emplace_back(Measured{.error = 0.0});
   int pairs = 0, not_converged = 0;
   Specimen specimen;
   Board<double> board;
   const auto see = [&](const Separation<double>& at, double scale, auto&& describe_case) {
-    ++result.cases;
+    ++seen.cases;
     const std::string wrong = defect(at, scale);
     if (!wrong.empty()) {
-      result.error += 1.0;
-      result.worst_case = wrong + ": " + describe_case();
+      seen.error += 1.0;
+      seen.worst_case = wrong + ": " + describe_case();
     }
   };
   const int count = context.samples(30000, 1000000);
@@ -162,8 +162,8 @@ Measurement measure_million(Context& context) {
     at.gap = context.produced(at.gap);
     see(at, scale, describe_case);
     if (!at.certified || at.status == SeparationStatus::not_converged) {
-      result.error += 1.0;
-      result.worst_case = "not certified: " + describe_case();
+      seen.error += 1.0;
+      seen.worst_case = "not certified: " + describe_case();
     }
     if (i % 8 == 0) {
       see(separation(stone, pose, Plane<double>{}), scale, describe_case);
@@ -178,8 +178,8 @@ Measurement measure_million(Context& context) {
     }
   }
   if (not_converged * 1000 > pairs) {
-    result.error += not_converged;
-    result.worst_case = fmt::format("{} of {} pairs not converged", not_converged, pairs);
+    seen.error += not_converged;
+    seen.worst_case = fmt::format("{} of {} pairs not converged", not_converged, pairs);
   }
   result.figures = {
       {"pairs of stones that are said not to have converged", fmt::format("{} of {}", not_converged, pairs)}};
@@ -197,10 +197,10 @@ std::vector<Claim> contact_law_claims() {
        .function = "separation (plane, board, stones)",
        .family = OracleFamily::metamorphic,
        .oracle = "the same bodies, moved",
-       .unit = "of width, distance and the sphere's radius together",
-       .bound = 4e-15,
-       .reason = "two gaps of 1e-15, and the motion itself: positions, normals and attitudes are rounded",
-       .resolution = epsilon,
+       .checks = {{.unit = "of width, distance and the sphere's radius together",
+                   .bound = 4e-15,
+                   .reason = "two gaps of 1e-15, and the motion itself: positions, normals and attitudes are rounded",
+                   .resolution = epsilon}},
        .mutants = {{"contact/stone_board.hpp", "T(sign_x * found.n.x())", "found.n.x()"},
                    {"contact/stone_plane.hpp", "plane.n_W, plane.offset);", "plane.n_W, T(0));"},
                    {"contact/pair.hpp", "between(formula::minus(one.p_W, other.p_W))", "between(one.p_W)"},
@@ -215,10 +215,7 @@ std::vector<Claim> contact_law_claims() {
        .function = "separation (plane, board, stones)",
        .family = OracleFamily::invariant,
        .oracle = "one rule: the gap lies between the two points, along the normal",
-       .unit = "defects",
-       .bound = 0.0,
-       .reason = "there must be none",
-       .resolution = 0.0,
+       .checks = {{.unit = "defects", .bound = 0.0, .reason = "there must be none", .resolution = 0.0}},
        .mutants = {{"contact/stone_stone.hpp", "if (T(0) < size2) {", "if (true) {"},
                    {"contact/contact.hpp", "T(-result.gap), n_W)", "T(result.gap), n_W)"}},
        .measure = measure_million},

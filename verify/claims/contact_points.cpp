@@ -116,7 +116,7 @@ std::vector<Long3> free_directions(const Long3& n, bool on_board) {
 }
 
 struct Seen {
-  Worst worst;
+  Checks checks;
   int normals = 0, ill_conditioned = 0;
 
   /// How far normal and points are off, where a radian of the normal costs a hundredth of the width. A support point moves
@@ -124,19 +124,20 @@ struct Seen {
   template <class Describe>
   void see(const Context& context, const Separation<double>& at, const Between& between, bool on_board, double width,
            double radius, Describe&& describe) {
-    const Long3 n = Long3(context.produced(at.n_W).template cast<Long>()).normalized();
+    const Vec3<double> turned(context.produced(at.n_W.x()), at.n_W.y(), at.n_W.z());  // a length would not be seen
+    const Long3 n = Long3(turned.template cast<Long>()).normalized();
     const Correction off = correction(between, n, free_directions(n, on_board));
     if (!(off.stiffness > static_cast<Long>(0.01 * width))) {
       ++ill_conditioned;
       return;
     }
     ++normals;
-    worst.see(static_cast<double>(off.step.norm()), [&] { return "normal" + describe(); });
+    checks["normal"].see(static_cast<double>(off.step.norm()), [&] { return "normal" + describe(); });
     const Long3 right = (n + off.step).normalized(), on_stone = between.stone(right);
     const Long3 on_other = on_stone - between(right).dot(right) * right;
     const auto see_point = [&](const Vec3<double>& p, const Long3& expected, const char* name) {
-      worst.see(static_cast<double>((p.cast<Long>() - expected).norm()) / (width + radius),
-                [&] { return name + describe(); });
+      const double far = static_cast<double>((context.produced(p).cast<Long>() - expected).norm());
+      checks["points"].see(far / (width + radius), [&] { return name + describe(); });
     };
     see_point(at.p_stone, on_stone, "p_stone");
     see_point(at.p_other, on_other, "p_other");
@@ -182,7 +183,7 @@ Measurement measure_points(Context& context) {
                          describe(pair), at.gap);
     });
   }
-  Measurement result = seen.worst.measurement();
+  Measurement result = seen.checks.measurement();
   result.figures = {{"at the board", fmt::format("{}; {} too ill conditioned to judge", at_board, hard_at_board)},
                     {"of two stones", fmt::format("{}; {} too ill conditioned to judge", seen.normals - at_board,
                                                   seen.ill_conditioned - hard_at_board)}};
@@ -198,10 +199,10 @@ std::vector<Claim> contact_point_claims() {
        .function = "separation (plane)",
        .family = OracleFamily::independent,
        .oracle = "the farthest point of caps and torus in 50 digits",
-       .unit = "of the greater of width and distance, plus the sphere's radius",
-       .bound = 2e-15,
-       .reason = "the axis, 2 ulp, turns the point about the sphere's centre; then as CONTACT-1",
-       .resolution = epsilon / 4.0,
+       .checks = {{.unit = "of the greater of width and distance, plus the sphere's radius",
+                   .bound = 2e-15,
+                   .reason = "the axis, 2 ulp, turns the point about the sphere's centre; then as CONTACT-1",
+                   .resolution = epsilon / 4.0}},
        .mutants = {{"contact/contact.hpp", "const T along = cap ? (upper ? height : T(-height))",
                     "const T along = cap ? height"},
                    {"contact/contact.hpp", "result.p_stone = formula::minus(placed.p_W, support.x_W);",
@@ -214,12 +215,19 @@ std::vector<Claim> contact_point_claims() {
        .function = "separation (board, stones)",
        .family = OracleFamily::independent,
        .oracle = "slope and curvature of the separation in long double, from the farthest points of caps and torus",
-       .unit = "radians, and of the width and the spheres' radii",
-       .bound = 2e-10,
-       .reason =
-           "a fifth of the bar, 1e-9; what the last step of a search over the normals leaves. Resolution: a slope is "
-           "rounded to ε of the sphere's radius, 250 widths, and divided by that hundredth",
-       .resolution = 250.0 * epsilon / 0.01,
+       .checks = {{.name = "normal",
+                   .unit = "radians",
+                   .bound = 2e-10,
+                   .reason = "a fifth of the bar, 1e-9; what the last step of a search over the normals leaves. "
+                             "Resolution: a slope is "
+                             "rounded to ε of the sphere's radius, 250 widths, and divided by that hundredth",
+                   .resolution = 250.0 * epsilon / 0.01},
+                  {.name = "points",
+                   .unit = "of the width and the spheres' radii",
+                   .bound = 1e-12,
+                   .reason =
+                       "on the stone and on what it meets they go with the normal, whose own error is judged above",
+                   .resolution = 1e-15}},
        .mutants = {{"contact/contact.hpp", "T(ring + stone.bevel_minor_radius)", "T(ring - stone.bevel_minor_radius)"},
                    {"contact/arc.hpp", "value + ring * scalar::sq(arc.u_out) / square + stone.bevel_minor_radius",
                     "value + ring / square + stone.bevel_minor_radius"},

@@ -455,10 +455,10 @@ std::vector<Claim> domain_contact_claims() {
                  .function = "separation (plane, board, stones), surface_gap, time_of_impact",
                  .family = family,
                  .oracle = oracle,
-                 .unit = "ε of float or double, of widths and distances",
-                 .bound = bound,
-                 .reason = reason,
-                 .resolution = 0.25,
+                 .checks = {{.unit = "ε of float or double, of widths and distances",
+                             .bound = bound,
+                             .reason = reason,
+                             .resolution = 0.25}},
                  .mutants = std::move(mutants),
                  .measure = std::move(measure)};
   };

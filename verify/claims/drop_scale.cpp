@@ -225,10 +225,8 @@ std::vector<Claim> drop_scale_claims() {
        .function = "drop",
        .family = OracleFamily::metamorphic,
        .oracle = "the same drop in other units",
-       .unit = "drops that differ",
-       .bound = 0.0,
-       .reason = "powers of two round nothing",
-       .resolution = 0.0,
+       .checks =
+           {{.unit = "drops that differ", .bound = 0.0, .reason = "powers of two round nothing", .resolution = 0.0}},
        .mutants = {{"drop/integrator.hpp", "T(1e-2) / contact.scales.frequency", "T(1e-2) / T(30)"},
                    {"drop/statics.hpp", "round_off_share<T>() * body.stone.width", "round_off_share<T>() * T(0.022)"},
                    {"drop/settings.hpp", "fill(all.contact_speed, T(2e-6) * speed)",
@@ -241,12 +239,12 @@ std::vector<Claim> drop_scale_claims() {
        .function = "drop",
        .family = OracleFamily::metamorphic,
        .oracle = "the drop of size 33",
-       .unit = "of what a start elsewhere by 1e-12 changes",
-       .bound = 40.0,
-       .reason =
-           "round-off, and where it moves a step's end the tolerance 1e-9, magnified by the bounces as any nudge is; "
-           "measured 2026-11-29",
-       .resolution = 1.0,
+       .checks = {{.unit = "of what a start elsewhere by 1e-12 changes",
+                   .bound = 40.0,
+                   .reason = "round-off, and where it moves a step's end the tolerance 1e-9, magnified by the bounces "
+                             "as any nudge is; "
+                             "measured 2026-11-29",
+                   .resolution = 1.0}},
        .mutants = {{"drop/edge_hops.hpp", "T(0.15) / run_.scales.frequency", "T(5e-3)"},
                    {"drop/next_impact.hpp", "const T unit = T(1) / run.scales.frequency;", "const T unit = T(0.03);"}},
        .measure = measure_sizes},

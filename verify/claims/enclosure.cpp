@@ -105,9 +105,9 @@ std::vector<Claim> enclosure_claims() {
        .function = "goishi::formula, every scalar",
        .family = OracleFamily::independent,
        .oracle = "Boost.Multiprecision, 50 digits, ± 1e-45 for its own roundings",
-       .unit = "enclosures missed",
-       .bound = 0.0,
-       .reason = "an enclosure meets the 50-digit value or it does not",
+       .checks = {{.unit = "enclosures missed",
+                   .bound = 0.0,
+                   .reason = "an enclosure meets the 50-digit value or it does not"}},
        .mutants = {},
        .measure = measure_containment},
       {.id = "ENCLOSURE-2",
@@ -115,11 +115,14 @@ std::vector<Claim> enclosure_claims() {
        .function = "goishi::formula on Arb balls",
        .family = OracleFamily::exact,
        .oracle = "the balls' own radii",
-       .unit = "relative radius",
-       .bound = 1e-74,
-       .reason = "2⁻²⁵⁶ = 9e-78 a step, some hundred steps to a moment, amplified by its degree 5: 5e-75; differences "
+       .checks =
+           {{.unit = "relative radius",
+             .bound = 1e-74,
+             .reason =
+                 "2⁻²⁵⁶ = 9e-78 a step, some hundred steps to a moment, amplified by its degree 5: 5e-75; differences "
                  "of the data are exact",
-       .resolution = 1e-77,
+             .resolution = 1e-77,
+             .counts = true}},
        .mutants = {{"shape/lens.hpp", "T((width - height) * (width + height) / (T(4) * height))",
                     "T((scalar::sq(width) + scalar::sq(height)) / (T(4) * height) - height / T(2))"}},
        .measure = measure_width},

@@ -150,9 +150,9 @@ Measurement cover(Context& context, Property property, const Domain& domain, dou
     }
   }
   Measurement result;
-  result.error = static_cast<double>(count.not_proved);
-  result.cases = count.proved + count.not_proved;
-  result.worst_case = count.first;
+  result.checks = {{.error = static_cast<double>(count.not_proved),
+                    .cases = count.proved + count.not_proved,
+                    .worst_case = count.first}};
   result.figures = {{"boxes proved", fmt::format("{}", count.proved)},
                     {"most halvings of a box", fmt::format("{}", count.depth)}};
   return result;
@@ -185,9 +185,7 @@ std::vector<Claim> enclosure_box_claims() {
        .function = "goishi::formula on boxes of balls",
        .family = OracleFamily::exact,
        .oracle = boxes,
-       .unit = "boxes not proved or given up",
-       .bound = 0.0,
-       .reason = reason,
+       .checks = {{.unit = "boxes not proved or given up", .bound = 0.0, .reason = reason, .counts = true}},
        .mutants = {{"shape/bevel.hpp", "T(2) * sphere_offset + (height + bevel_height)",
                     "T(2) * sphere_offset - (height + bevel_height)"},
                    {"shape/bevel.hpp", "sphere_radius * (bevel_height / T(2)) / joint_offset",
@@ -202,9 +200,11 @@ std::vector<Claim> enclosure_box_claims() {
        .function = "goishi::formula on boxes of balls",
        .family = OracleFamily::exact,
        .oracle = boxes,
-       .unit = "boxes not proved or given up",
-       .bound = 0.0,
-       .reason = reason + "; towards the edges of the whole domain P_x becomes w/2, and boxes would shrink without end",
+       .checks = {{.unit = "boxes not proved or given up",
+                   .bound = 0.0,
+                   .reason =
+                       reason +
+                       "; towards the edges of the whole domain P_x becomes w/2, and boxes would shrink without end"}},
        .mutants = {{"shape/bevel.hpp", "T(2) * sphere_offset + (height + bevel_height) / T(2)",
                     "T(2) * sphere_offset + (height + bevel_height)"},
                    {"mass/volume.hpp", "const T caps = terms.cap_height *",
@@ -218,9 +218,11 @@ std::vector<Claim> enclosure_box_claims() {
        .function = "formula::bevelled_moments on boxes of balls",
        .family = OracleFamily::exact,
        .oracle = boxes,
-       .unit = "boxes not proved or given up",
-       .bound = 0.0,
-       .reason = reason + "; of thinner stones I_a is 2 I_t but for (h/w)², and boxes would have to be as small",
+       .checks = {{.unit = "boxes not proved or given up",
+                   .bound = 0.0,
+                   .reason =
+                       reason + "; of thinner stones I_a is 2 I_t but for (h/w)², and boxes would have to be as small",
+                   .counts = true}},
        .mutants = {{"mass/inertia.hpp", "axial / T(2) + (height_caps", "axial / T(2) - (height_caps"}},
        .measure = measure_triangle},
   };

@@ -188,11 +188,13 @@ std::vector<Claim> flight_claims() {
        .family = OracleFamily::independent,
        .oracle = "every catalogue stone: Odeint on the raw Newton–Euler equations; all others: the formula, which "
                  "FLIGHT-3 shows right, in 34 digits",
-       .unit = "ε (1 + phase)",
-       .bound = 8.0,
-       .reason = "2.5 ε of each angle, 3 ε for the products; L_z is off by up to 2.5 ε |L|, which counts three times "
+       .checks =
+           {{.unit = "ε (1 + phase)",
+             .bound = 8.0,
+             .reason =
+                 "2.5 ε of each angle, 3 ε for the products; L_z is off by up to 2.5 ε |L|, which counts three times "
                  "where 4 I_a = I_t: 6.4 measured there, 2026-11-21, 500 000 bodies",
-       .resolution = 0.5,
+             .resolution = 0.5}},
        .mutants = {{"motion/free_flight.hpp", "T(3) * rates.precession <", "T(3000) * rates.precession <"},
                    {"motion/free_flight.hpp", "T(c * q.w() - s", "T(c * q.w() + s"},
                    {"motion/free_flight.hpp", "T time = t * rates", "T time = t * (T(1000001) / T(1000000)) * rates"},
@@ -204,11 +206,13 @@ std::vector<Claim> flight_claims() {
        .function = "free_flight",
        .family = OracleFamily::invariant,
        .oracle = "the values before, both from the given quaternions in 34 digits",
-       .unit = "ε √max(1, I_t/I_a)",
-       .bound = 16.0,
-       .reason = "|q|² is 1 within 4 ε and enters the energy squared; the rest is the axis, off by two quaternion "
+       .checks =
+           {{.unit = "ε √max(1, I_t/I_a)",
+             .bound = 16.0,
+             .reason =
+                 "|q|² is 1 within 4 ε and enters the energy squared; the rest is the axis, off by two quaternion "
                  "products of 4 roundings a component",
-       .resolution = 1.0,
+             .resolution = 1.0}},
        .mutants = {{"motion/free_flight.hpp", "T(time * L_W.z())", "T(time * L_W.y())"},
                    {"motion/free_flight.hpp", ".L_W = state.L_W", ".L_W = T(1000001) / T(1000000) * state.L_W"},
                    {"motion/free_flight.hpp", "c * q.x() + s * q.y()", "c * q.x() - s * q.y()"}},
@@ -220,10 +224,7 @@ std::vector<Claim> flight_claims() {
        .family = OracleFamily::independent,
        .oracle = "Odeint on the raw equations in 34 digits, Bulirsch–Stoer confirmed by Fehlberg 7(8); the formula in "
                  "34 digits, too",
-       .unit = "rad",
-       .bound = 1e-24,
-       .reason = "1e-25 a step, some ten steps",
-       .resolution = 1e-25,
+       .checks = {{.unit = "rad", .bound = 1e-24, .reason = "1e-25 a step, some ten steps", .resolution = 1e-25}},
        .mutants =
            {{"motion/free_flight.hpp", "axial_momentum * (t * rates.spin) / T(2)", "axial_momentum * (t * rates.spin)"},
             {"motion/free_flight.hpp", "T(1) / moments.transverse", "T(1) / moments.axial"},
@@ -237,11 +238,13 @@ std::vector<Claim> flight_claims() {
        .function = "free_flight, formula::reunited",
        .family = OracleFamily::invariant,
        .oracle = "|q|² = 1",
-       .unit = "ε",
-       .bound = 8.0,
-       .reason = "4 ε, from scale and components; twice that where g++ 12 with -mfma fuses two copies of one component "
+       .checks =
+           {{.unit = "ε",
+             .bound = 8.0,
+             .reason =
+                 "4 ε, from scale and components; twice that where g++ 12 with -mfma fuses two copies of one component "
                  "differently (measured 2026-11-21: 4.4 ε, and 2.3 ε without)",
-       .resolution = 1.0,
+             .resolution = 1.0}},
        .mutants = {{"rotation.hpp", "(T(3) - square) / T(2)", "(T(2) - square) / T(1)"},
                    {"motion/free_flight.hpp", "const Quat<T> q = formula::reunited(q_WB);", "const Quat<T> q = q_WB;"}},
        .measure = measure_chain},
@@ -250,10 +253,10 @@ std::vector<Claim> flight_claims() {
        .function = "free_flight",
        .family = OracleFamily::exact,
        .oracle = "the parabola in 34 digits",
-       .unit = "ε (|p| + |v t| + |g t²/2|)",
-       .bound = 2.0,
-       .reason = "at most 4 roundings in each term",
-       .resolution = 0.5,
+       .checks = {{.unit = "ε (|p| + |v t| + |g t²/2|)",
+                   .bound = 2.0,
+                   .reason = "at most 4 roundings in each term",
+                   .resolution = 0.5}},
        .mutants = {{"motion/free_flight.hpp", "state.v_WB + gain / T(2)", "state.v_WB + gain"},
                    {"motion/free_flight.hpp", ".v_WB = state.v_WB + gain,", ".v_WB = state.v_WB - gain,"},
                    {"motion/free_flight.hpp", "t * (state.v_WB + gain",
@@ -265,10 +268,10 @@ std::vector<Claim> flight_claims() {
        .function = "formula::rotation_exp",
        .family = OracleFamily::independent,
        .oracle = "cosine and sine of half the vector's length in 34 digits",
-       .unit = "ε |θ|",
-       .bound = 2.0,
-       .reason = "half from the root of a sum of squares, half from sine, quotient and product",
-       .resolution = 0.5,
+       .checks = {{.unit = "ε |θ|",
+                   .bound = 2.0,
+                   .reason = "half from the root of a sum of squares, half from sine, quotient and product",
+                   .resolution = 0.5}},
        .mutants = {{"rotation.hpp", "theta.dot(theta) + scalar::tiny<T>()", "theta.dot(theta)"},
                    {"rotation.hpp", "half = angle / T(2)", "half = angle / T(2) * (T(1000001) / T(1000000))"}},
        .measure = measure_exponential},
@@ -278,10 +281,10 @@ std::vector<Claim> flight_claims() {
        .family = OracleFamily::metamorphic,
        .oracle =
            "free_flight of the same stone, and the formula, which FLIGHT-3 shows right, in 34 digits; the parabola",
-       .unit = "ε (1 + phase)",
-       .bound = 8.0,
-       .reason = "as FLIGHT-1: the batch's sine and cosine are as good, and 4 I_a >= I_t",
-       .resolution = 0.5,
+       .checks = {{.unit = "ε (1 + phase)",
+                   .bound = 8.0,
+                   .reason = "as FLIGHT-1: the batch's sine and cosine are as good, and 4 I_a >= I_t",
+                   .resolution = 0.5}},
        .mutants = {{"motion/batch.hpp", "group.rates.spin[lane] = rates.spin",
                     "group.rates.spin[lane] = rates.precession"},
                    {"motion/batch.hpp", "const std::size_t lane = index % lanes;",
@@ -296,10 +299,7 @@ std::vector<Claim> flight_claims() {
        .function = "StoneBatch::fly",
        .family = OracleFamily::invariant,
        .oracle = "the values before, both from the given quaternions in 34 digits",
-       .unit = "ε √max(1, I_t/I_a)",
-       .bound = 16.0,
-       .reason = "as FLIGHT-2",
-       .resolution = 1.0,
+       .checks = {{.unit = "ε √max(1, I_t/I_a)", .bound = 16.0, .reason = "as FLIGHT-2", .resolution = 1.0}},
        .mutants = {{"motion/batch.hpp", "f(to.L_W[i], from.L_W[i])", "f(to.L_W[i], from.L_W[0])"},
                    {"motion/batch.hpp", "each_component(state, groups_[index / lanes]",
                     "each_component(state, groups_[(index + 1) / lanes % groups_.size()]"}},

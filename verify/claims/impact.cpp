@@ -125,7 +125,7 @@ Measurement measure_energy(Context& context) {
 
 Measurement measure_no_gain(Context& context) {
   Measurement result;
-  result.error = 0.0;
+  Measured& seen = result.checks.emplace_back(Measured{.error = 0.0});
   double least = 0.0;
   int unsettled = 0, rounds = 0, steps = 0;
   for_each_impact(
@@ -134,17 +134,17 @@ Measurement measure_no_gain(Context& context) {
         BodyVelocity<double> first = end.first;
         first.v_WB = context.produced(first.v_WB);
         const double gain = as_double((meeting.energy_of(first, end.second) - meeting.energy) / meeting.energy);
-        ++result.cases;
+        ++seen.cases;
         least = std::min(least, gain);
-        if (!(gain <= result.error)) {
-          result.error = gain;
-          result.worst_case = describe(met, law);
+        if (!(gain <= seen.error)) {
+          seen.error = gain;
+          seen.worst_case = describe(met, law);
         }
         if (end.impulse.outcome == ImpactOutcome::not_converged) {
           ++unsettled;
           if (law != ImpactLaw::published) {
-            result.error = std::numeric_limits<double>::quiet_NaN();
-            result.worst_case = "not converged: " + describe(met, law);
+            seen.error = std::numeric_limits<double>::quiet_NaN();
+            seen.worst_case = "not converged: " + describe(met, law);
           }
         }
         (law == ImpactLaw::published ? rounds : steps) =
@@ -227,12 +227,12 @@ std::vector<Claim> impact_claims() {
        .function = "resolve (impact)",
        .family = OracleFamily::exact,
        .oracle = "velocities of the contact before and after, from full tensors in long double",
-       .unit = "of the contact's velocity, centre and spin added up",
-       .bound = 1e-14,
-       .reason =
-           "some ten roundings of a product of condition up to 7, the greatest eigenvalue of m W of a lens; measured "
-           "2026-11-22",
-       .resolution = epsilon,
+       .checks = {{.unit = "of the contact's velocity, centre and spin added up",
+                   .bound = 1e-14,
+                   .reason = "some ten roundings of a product of condition up to 7, the greatest eigenvalue of m W of "
+                             "a lens; measured "
+                             "2026-11-22",
+                   .resolution = epsilon}},
        .mutants = {{"impact/impulses.hpp", "-((T(1) + restitution) * approach)", "-((T(1) - restitution) * approach)"},
                    {"impact/impulses.hpp", "(T(1) + restitution - kappa) * plastic", "(T(1) - kappa) * plastic"},
                    {"impact/contact_matrix.hpp", "T(cx * c.y() - t * (r_W.x() * r_W.y()))",
@@ -247,10 +247,10 @@ std::vector<Claim> impact_claims() {
        .function = "resolve (two bodies)",
        .family = OracleFamily::invariant,
        .oracle = "momenta of both in long double; the same impact the other way round",
-       .unit = "of the momenta and the impulse together",
-       .bound = 2e-15,
-       .reason = "each momentum is rounded a few times; measured 2026-11-22",
-       .resolution = epsilon,
+       .checks = {{.unit = "of the momenta and the impulse together",
+                   .bound = 2e-15,
+                   .reason = "each momentum is rounded a few times; measured 2026-11-22",
+                   .resolution = epsilon}},
        .mutants = {{"impact/body.hpp", ".L_W = formula::plus(body.L_W, formula::cross(r_W, impulse_W))",
                     ".L_W = formula::plus(body.L_W, formula::cross(impulse_W, r_W))"},
                    {"impact/laws.hpp", "formula::scaled(T(-1), result.impulse.impulse_W)", "result.impulse.impulse_W"},
@@ -263,10 +263,10 @@ std::vector<Claim> impact_claims() {
        .function = "resolve (impact)",
        .family = OracleFamily::exact,
        .oracle = "energies of the bodies before and after, and K from full tensors, in long double",
-       .unit = "of the energy before",
-       .bound = 2e-14,
-       .reason = "twice IMPACT-1's bound, since energy is a square; measured 2026-11-22",
-       .resolution = epsilon,
+       .checks = {{.unit = "of the energy before",
+                   .bound = 2e-14,
+                   .reason = "twice IMPACT-1's bound, since energy is a square; measured 2026-11-22",
+                   .resolution = epsilon}},
        .mutants = {{"impact/impulses.hpp", "formula::plus(before, after)) / T(2)", "formula::plus(before, after))"},
                    {"impact/impulses.hpp", "formula::plus(before, after)", "formula::minus(before, after)"},
                    {"impact/body.hpp", "(moments.transverse - moments.axial)", "(moments.axial - moments.transverse)"},
@@ -279,10 +279,10 @@ std::vector<Claim> impact_claims() {
        .function = "resolve (impact)",
        .family = OracleFamily::invariant,
        .oracle = "energies of the bodies before and after, from full tensors in long double",
-       .unit = "of the energy before",
-       .bound = 2e-14,
-       .reason = "round-off, as in IMPACT-3: with e = 1 and no friction the energy stays",
-       .resolution = epsilon,
+       .checks = {{.unit = "of the energy before",
+                   .bound = 2e-14,
+                   .reason = "round-off, as in IMPACT-3: with e = 1 and no friction the energy stays",
+                   .resolution = epsilon}},
        .mutants = {{"impact/impulses.hpp", "-(slip / tangential_mobility)", "-(T(3) * slip / tangential_mobility)"},
                    {"impact/chatterjee_ruina.hpp", "sticks ? T(1) :", "sticks ? T(3) :"},
                    {"impact/stronge.hpp", "given_back_(scalar::sq(c.restitution))",
@@ -299,13 +299,15 @@ std::vector<Claim> impact_claims() {
        .function = "resolve (impact)",
        .family = OracleFamily::invariant,
        .oracle = "Coulomb's law on the impulse and the velocities, the contact matrix from full tensors in long double",
-       .unit = "of impulse or velocity",
-       .bound = 2e-14,
-       .reason =
-           "IMPACT-1's bound, and the condition of W once more; errors of Stronge's law, which is integrated, count a "
-           "tenth; the published law may leave approaching with 1e-9 of its approach: counted in units of 1e-6. "
-           "Measured 2026-11-22",
-       .resolution = epsilon,
+       .checks =
+           {{.unit = "of impulse or velocity",
+             .bound = 2e-14,
+             .reason =
+                 "IMPACT-1's bound, and the condition of W once more; errors of Stronge's law, which is integrated, "
+                 "count a "
+                 "tenth; the published law may leave approaching with 1e-9 of its approach: counted in units of 1e-6. "
+                 "Measured 2026-11-22",
+             .resolution = epsilon}},
        .mutants = {{"impact/published.hpp", "const T limit = -(c.friction * j)",
                     "const T limit = -(T(2) * c.friction * j)"},
                    {"impact/published.hpp", "const bool slides = stopping < limit",

@@ -112,8 +112,8 @@ Measurement measure_routh(Context& context) {
     held += std::fabs(end.slip) < 1e-12L;
   }
   Measurement result = worst.measurement();
-  result.figures = {{"left with the slip reversed", fmt::format("{} of {}", reversed, result.cases)},
-                    {"left without slip", fmt::format("{} of {}", held, result.cases)}};
+  result.figures = {{"left with the slip reversed", fmt::format("{} of {}", reversed, worst.cases())},
+                    {"left without slip", fmt::format("{} of {}", held, worst.cases())}};
   return result;
 }
 
@@ -237,12 +237,12 @@ Measurement measure_default(Context& context) {
     result.figures.push_back(
         {name, fmt::format("median {:.1f} %, at most {:.1f} %", 100.0 * difference.median, 100.0 * difference.worst)});
   };
-  result.error = 0.0;
+  Measured& seen = result.checks.emplace_back(Measured{.error = 0.0});
   const auto see = [&](double value, const std::string& name) {
-    result.cases += static_cast<std::uint64_t>(count);
-    if (!(value <= result.error)) {
-      result.error = value;
-      result.worst_case = name;
+    seen.cases += static_cast<std::uint64_t>(count);
+    if (!(value <= seen.error)) {
+      seen.error = value;
+      seen.worst_case = name;
     }
   };
   for (const double e : {0.0, 0.5, 1.0}) {
@@ -268,10 +268,12 @@ std::vector<Claim> impact_process_claims() {
        .function = "resolve, stronge",
        .family = OracleFamily::exact,
        .oracle = "the pieces in closed form, in long double",
-       .unit = "of the contact's velocity, centre and spin added up",
-       .bound = 3e-13,
-       .reason = "round-off of a grazing impact: approach speeds from 1e-3 of the velocity up; measured 2026-11-22",
-       .resolution = 1e-14,
+       .checks =
+           {{.unit = "of the contact's velocity, centre and spin added up",
+             .bound = 3e-13,
+             .reason =
+                 "round-off of a grazing impact: approach speeds from 1e-3 of the velocity up; measured 2026-11-22",
+             .resolution = 1e-14}},
        .mutants = {{"impact/stronge.hpp", "T(1) / (W_.xx + W_.yy + W_.zz / c.friction)",
                     "T(1) / (W_.xx + W_.yy + T(2) * W_.zz / c.friction)"},
                    {"impact/stronge.hpp", "needed <= friction_", "needed <= friction_ * T(2)"},
@@ -287,12 +289,12 @@ std::vector<Claim> impact_process_claims() {
        .function = "resolve, stronge; slip_series",
        .family = OracleFamily::independent,
        .oracle = "the classical Runge–Kutta method in long double, 200 steps, on impacts that slip all the way",
-       .unit = "of 1e-11 and the witness's own error",
-       .bound = 1.0,
-       .reason =
-           "the witness changes by 15 times its error when its steps are doubled; 1e-11 is what 64 ε in the direction "
-           "of the slip can grow to",
-       .resolution = 0.02,
+       .checks = {{.unit = "of 1e-11 and the witness's own error",
+                   .bound = 1.0,
+                   .reason = "the witness changes by 15 times its error when its steps are doubled; 1e-11 is what 64 ε "
+                             "in the direction "
+                             "of the slip can grow to",
+                   .resolution = 0.02}},
        .mutants = {{"impact/stronge.hpp", "T(-against * v.x()), T(-against * v.y())",
                     "T(-against * v.x()), T(-against * v.x())"},
                    {"impact/stronge.hpp", "- speed[i] * speed[k + 1 - i]", "+ speed[i] * speed[k + 1 - i]"},
@@ -308,10 +310,10 @@ std::vector<Claim> impact_process_claims() {
        .function = "resolve, chatterjee_ruina",
        .family = OracleFamily::independent,
        .oracle = "Stronge's law by integration of the impact",
-       .unit = "of the impulse",
-       .bound = 0.5,
-       .reason = "two laws: measured 2026-11-22; on a ball 1e-11, counted as 1",
-       .resolution = 0.01,
+       .checks = {{.unit = "of the impulse",
+                   .bound = 0.5,
+                   .reason = "two laws: measured 2026-11-22; on a ball 1e-11, counted as 1",
+                   .resolution = 0.01}},
        .mutants = {{"impact/chatterjee_ruina.hpp", "T(-sticking_normal)", "sticking_normal"},
                    {"impact/chatterjee_ruina.hpp", "const T needed = along *", "const T needed = T(2) * along *"}},
        .measure = measure_default},

@@ -194,10 +194,10 @@ std::vector<Claim> law_claims() {
        .function = "make_stone, make_measured_stone, mass_properties",
        .family = OracleFamily::exact,
        .oracle = "the ball: π w³/6, π w², w²/10",
-       .unit = "relative",
-       .bound = 10.0 * epsilon,
-       .reason = "8 ulp of production, 2 of the ball's own formula in double",
-       .resolution = epsilon,
+       .checks = {{.unit = "relative",
+                   .bound = 10.0 * epsilon,
+                   .reason = "8 ulp of production, 2 of the ball's own formula in double",
+                   .resolution = epsilon}},
        .mutants = {{"mass/volume.hpp", "(square + T(2)) * sine", "(square + T(1)) * sine"},
                    {"mass/inertia.hpp", "r2_2 * arc.c5", "r2_2 * arc.c4"}},
        .measure = measure_ball},
@@ -206,11 +206,13 @@ std::vector<Claim> law_claims() {
        .function = "mass_properties, sharp",
        .family = OracleFamily::exact,
        .oracle = "the leading term in h/w, at h/w of 1e-9 … 3e-9",
-       .unit = "relative",
-       .bound = 4.0 * epsilon,
-       .reason = "(h/w)² < 1e-16 is neglected; 1 ulp of production (3 of the area, whose formula is the limit's), 2½ "
+       .checks =
+           {{.unit = "relative",
+             .bound = 4.0 * epsilon,
+             .reason =
+                 "(h/w)² < 1e-16 is neglected; 1 ulp of production (3 of the area, whose formula is the limit's), 2½ "
                  "of the limit's formula in double",
-       .resolution = epsilon,
+             .resolution = epsilon}},
        .mutants = {{"mass/volume.hpp", "scalar::pi<T>() / T(3) * a", "scalar::pi<T>() / T(4) * a"}},
        .measure = measure_disc},
       {.id = "LAW-3",
@@ -218,12 +220,14 @@ std::vector<Claim> law_claims() {
        .function = "mass_properties",
        .family = OracleFamily::metamorphic,
        .oracle = "the same stone, larger",
-       .unit = "relative",
-       .bound = 60.0 * epsilon,
-       .reason = "8 ulp twice, five roundings of λ⁵, and three of the scaled sides, to the fifth power and up to ten "
+       .checks =
+           {{.unit = "relative",
+             .bound = 60.0 * epsilon,
+             .reason =
+                 "8 ulp twice, five roundings of λ⁵, and three of the scaled sides, to the fifth power and up to ten "
                  "times amplified where h is "
                  "within 10 % of w or b of h",
-       .resolution = epsilon,
+             .resolution = epsilon}},
        .mutants = {{"mass/inertia.hpp", "scalar::sq(r1_2) * g", "r1_2 * g"},
                    {"mass/volume.hpp", "terms.joint_square + scalar::sq(terms.cap_height);",
                     "terms.joint_square + terms.cap_height;"}},
@@ -234,11 +238,13 @@ std::vector<Claim> law_claims() {
        .function = "mass_properties",
        .family = OracleFamily::exact,
        .oracle = "inequalities of volume, moments and area",
-       .unit = "relative excess",
-       .bound = 12.0 * epsilon,
-       .reason = "8 ulp of production and 4 of the bounds in double, where a bound is attained (the ball, the thinnest "
+       .checks =
+           {{.unit = "relative excess",
+             .bound = 12.0 * epsilon,
+             .reason =
+                 "8 ulp of production and 4 of the bounds in double, where a bound is attained (the ball, the thinnest "
                  "bevel)",
-       .resolution = epsilon,
+             .resolution = epsilon}},
        .mutants = {{"mass/volume.hpp", "T(3) * scalar::sq(c) + scalar::sq(a)", "T(6) * scalar::sq(c) + scalar::sq(a)"}},
        .measure = measure_sandwich},
       {.id = "LAW-5",
@@ -247,11 +253,13 @@ std::vector<Claim> law_claims() {
        .function = "mass_properties, bevelled",
        .family = OracleFamily::metamorphic,
        .oracle = "Steiner's formula, with the mean curvature of the core's sharp rim",
-       .unit = "relative",
-       .bound = 40.0 * epsilon,
-       .reason = "8 ulp of production; the core's lens is made from four rounded fields, its rim angle has an atan2, "
+       .checks =
+           {{.unit = "relative",
+             .bound = 40.0 * epsilon,
+             .reason =
+                 "8 ulp of production; the core's lens is made from four rounded fields, its rim angle has an atan2, "
                  "the sum six terms",
-       .resolution = epsilon,
+             .resolution = epsilon}},
        .mutants = {{"mass/volume.hpp", "T(2) * terms.arc.c2 * r1", "terms.arc.c2 * r1"},
                    {"mass/volume.hpp", "caps + T(2) * band", "caps + band"}},
        .measure = measure_steiner},
@@ -260,10 +268,10 @@ std::vector<Claim> law_claims() {
        .function = "make_measured_stone, outer_width",
        .family = OracleFamily::invariant,
        .oracle = "the width that was asked for",
-       .unit = "relative",
-       .bound = 2.0 * epsilon,
-       .reason = "r₁ and r₂ are each rounded once, and so is their sum",
-       .resolution = epsilon,
+       .checks = {{.unit = "relative",
+                   .bound = 2.0 * epsilon,
+                   .reason = "r₁ and r₂ are each rounded once, and so is their sum",
+                   .resolution = epsilon}},
        .mutants = {{"shape/bevel.hpp", "T(8) * bevel_height * shrink", "T(8) * bevel_height * height"},
                    {"shape/stone.hpp", "T(2) * (stone.bevel_major_radius + stone.bevel_minor_radius)",
                     "T(2) * (stone.bevel_major_radius - stone.bevel_minor_radius)"}},
@@ -273,10 +281,10 @@ std::vector<Claim> law_claims() {
        .function = "mass_properties",
        .family = OracleFamily::metamorphic,
        .oracle = "the lens' own closed form",
-       .unit = "relative",
-       .bound = 10.0 * epsilon,
-       .reason = "8 ulp of the one, 1 of the other, 1e-12 squared of the bevel",
-       .resolution = epsilon,
+       .checks = {{.unit = "relative",
+                   .bound = 10.0 * epsilon,
+                   .reason = "8 ulp of the one, 1 of the other, 1e-12 squared of the bevel",
+                   .resolution = epsilon}},
        .mutants = {{"mass/inertia.hpp", "(T(1) / T(30));", "(T(1) / T(31));"},
                    {"mass/inertia.hpp", "T(5) * p2 + T(3) * k2", "T(3) * p2 + T(5) * k2"}},
        .measure = measure_vanishing_bevel},

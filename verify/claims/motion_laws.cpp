@@ -298,19 +298,14 @@ Claim law(const char* id, const char* statement, const char* function, const cha
           .function = function,
           .family = OracleFamily::metamorphic,
           .oracle = oracle,
-          .unit = "of the bound of each",
-          .bound = 1.0,
-          .reason = reason,
-          .resolution = 0.02,
+          .checks = {{.unit = "of the bound of each", .bound = 1.0, .reason = reason, .resolution = 0.02}},
           .mutants = std::move(mutants),
           .measure = measure};
 }
 
 /// One that compares bits.
 Claim exact_law(Claim claim) {
-  claim.unit = "count";
-  claim.bound = 0.0;
-  claim.resolution = 0.0;
+  claim.checks.front() = {.unit = "count", .bound = 0.0, .reason = claim.checks.front().reason, .counts = true};
   return claim;
 }
 

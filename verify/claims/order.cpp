@@ -275,12 +275,12 @@ std::vector<Claim> order_claims() {
        .family = OracleFamily::independent,
        .oracle = "the raw Newton–Euler equations by Taylor series of order 24 in long double; slopes of the error by "
                  "step halving",
-       .unit = "of the slope's tolerance",
-       .bound = 1.0,
-       .reason =
-           "the next term of the error, in the smallest steps that are not at round-off: 0.05 for slopes of order "
-           "0, 1 and 2, 0.1 for 4, 0.2 for 6",
-       .resolution = 0.02,
+       .checks = {{.unit = "of the slope's tolerance",
+                   .bound = 1.0,
+                   .reason = "the next term of the error, in the smallest steps that are not at round-off: 0.05 for "
+                             "slopes of order "
+                             "0, 1 and 2, 0.1 for 4, 0.2 for 6",
+                   .resolution = 0.02}},
        .mutants = {{"motion/step_formulas.hpp", "formula::along(start, k2, half)", "formula::along(start, k1, half)"},
                    {"motion/step_formulas.hpp", "middle - start - dt / T(2) *", "middle - start + dt / T(2) *"},
                    {"motion/step_formulas.hpp", "rotor.L_B[j] = cosine * L_j + sine * L_k",
@@ -298,10 +298,12 @@ std::vector<Claim> order_claims() {
        .function = "composition_2, composition_4, composition_6",
        .family = OracleFamily::exact,
        .oracle = "the order conditions of symmetric compositions, in 50 digits",
-       .unit = "absolute",
-       .bound = 1e-26,
-       .reason = "half a unit of the 27th digit in each substep, times up to 9 substeps and derivatives of up to 3",
-       .resolution = 5e-28,
+       .checks =
+           {{.unit = "absolute",
+             .bound = 1e-26,
+             .reason =
+                 "half a unit of the 27th digit in each substep, times up to 9 substeps and derivatives of up to 3",
+             .resolution = 5e-28}},
        .mutants = {{"motion/step_formulas.hpp", "142354063", "142354163"},
                    {"motion/step_formulas.hpp", "279250560", "279250660"},
                    {"motion/step_formulas.hpp", "599748634", "599748734"},
@@ -316,13 +318,15 @@ std::vector<Claim> order_claims() {
        .function = "Stepper, rotational_energy",
        .family = OracleFamily::invariant,
        .oracle = "energy and |L| at the start, on a body without a symmetry axis",
-       .unit = "of the bound of each",
-       .bound = 1.0,
-       .reason =
-           "|L| through the attitude: 16 ε, a dozen roundings, none accumulating; midpoint's energy: a random walk "
-           "of some 4 ε a step, 4 ε √n; the splittings': a quasi-periodic error of at most 0.2 to the power of "
-           "their order, whose maximum is met to 1 % in the first tenth, and the same random walk",
-       .resolution = 0.02,
+       .checks =
+           {{.unit = "of the bound of each",
+             .bound = 1.0,
+             .reason =
+                 "|L| through the attitude: 16 ε, a dozen roundings, none accumulating; midpoint's energy: a random "
+                 "walk "
+                 "of some 4 ε a step, 4 ε √n; the splittings': a quasi-periodic error of at most 0.2 to the power of "
+                 "their order, whose maximum is met to 1 % in the first tenth, and the same random walk",
+             .resolution = 0.02}},
        .mutants = {{"motion/step_formulas.hpp", "cosine = T(1) - T(2) * scalar::sq(s)",
                     "cosine = T(1) - scalar::sq(s)"},
                    {"motion/step_formulas.hpp", "rotor.L_B[i] * inverse_moments[i] * dt / T(2)",
@@ -338,13 +342,15 @@ std::vector<Claim> order_claims() {
        .family = OracleFamily::metamorphic,
        .oracle = "the same steps in long double; the truth, by Taylor series, where the scheme's own error is below "
                  "round-off",
-       .unit = "of ε (16 √n + c n)",
-       .bound = 1.0,
-       .reason = "a step rounds the attitude by about 2 ε, which shears by up to 1 + 6 rad until the end: 16 ε √n as a "
+       .checks =
+           {{.unit = "of ε (16 √n + c n)",
+             .bound = 1.0,
+             .reason =
+                 "a step rounds the attitude by about 2 ε, which shears by up to 1 + 6 rad until the end: 16 ε √n as a "
                  "random walk; c: an eighth of the half ulp, 1/16, for each product with a cosine that is a few ulps "
                  "below 1, and 16 for `published`, which makes momentum of velocity and back in every step with an "
                  "attitude that is off the sphere by ε",
-       .resolution = 0.05,
+             .resolution = 0.05}},
        .mutants = {{"motion/step_formulas.hpp", "cosine = T(1) - T(2) * scalar::sq(s), sine = T(2) * s * c",
                     "cosine = T(1) - T(2) * scalar::sq(s), sine = T(float(T(2) * s * c))"},
                    {"rotation.hpp", "const T scale = (T(3) - square) / T(2)", "const T scale = T(1)"}},
@@ -355,9 +361,7 @@ std::vector<Claim> order_claims() {
        .function = "Stepper",
        .family = OracleFamily::invariant,
        .oracle = "finite numbers, |q| = 1, and the good steps alone",
-       .unit = "count",
-       .bound = 0.0,
-       .reason = "exact",
+       .checks = {{.unit = "count", .bound = 0.0, .reason = "exact", .counts = true}},
        .mutants = {{"motion/steppers.hpp", "if (!scalar::is_finite(T(p.sum() + v.sum())))", "if (false)"},
                    {"motion/steppers.hpp", "if (!(T(1) / T(4) < square && square < T(4)))", "if (square < T(0))"}},
        .measure = measure_too_large},

@@ -228,10 +228,11 @@ std::vector<Claim> surface_claims() {
        .function = "support",
        .family = OracleFamily::independent,
        .oracle = "farthest point of caps and torus in 50 digits; the outline searched by golden section must agree",
-       .unit = "of the width",
-       .bound = 1e-15,
-       .reason = "the bar; a coordinate has three roundings of terms up to half the width, the fields one each",
-       .resolution = epsilon / 4.0,
+       .checks = {{.unit = "of the width",
+                   .bound = 1e-15,
+                   .reason =
+                       "the bar; a coordinate has three roundings of terms up to half the width, the fields one each",
+                   .resolution = epsilon / 4.0}},
        .mutants = {{"shape/surface.hpp", "radial_square / (T(1) + axial);", "radial_square / (T(1) + axial * axial);"},
                    {"shape/surface.hpp",
                     "n.radial_square * scalar::sq(stone.joint_sine) <= scalar::sq(T(n.axial * stone.joint_cosine))",
@@ -246,12 +247,14 @@ std::vector<Claim> surface_claims() {
        .family = OracleFamily::independent,
        .oracle = "the nearest of the feet on caps, bevel and edge in 50 digits; sign: inside both balls and the torus "
                  "rule; the outline searched by golden section must agree",
-       .unit = "of the greater of width and distance from the centre",
-       .bound = 1e-15,
-       .reason =
-           "the bar; the distance from the axis, from the centre of curvature and the quotient have two roundings "
-           "each. Foot and normal near a centre of curvature: as many times less as a shift of the point counts",
-       .resolution = epsilon / 4.0,
+       .checks =
+           {{.unit = "of the greater of width and distance from the centre",
+             .bound = 1e-15,
+             .reason =
+                 "the bar; the distance from the axis, from the centre of curvature and the quotient have two "
+                 "roundings "
+                 "each. Foot and normal near a centre of curvature: as many times less as a shift of the point counts",
+             .resolution = epsilon / 4.0}},
        .mutants = {{"shape/surface.hpp", "zeta * (zeta + T(2) * stone.sphere_offset)",
                     "zeta * (zeta + stone.sphere_offset)"},
                    {"shape/surface.hpp", "rho * d <= rim * over", "rho * over <= rim * d"},
@@ -265,11 +268,13 @@ std::vector<Claim> surface_claims() {
        .function = "cast_ray",
        .family = OracleFamily::independent,
        .oracle = "inside both balls and the torus rule, bisected along the line in long double",
-       .unit = "of the greater of width and distance",
-       .bound = 1e-14,
-       .reason = "off the surface: two roundings of p + t u and the distance's four; along a ray that is steeper than "
+       .checks =
+           {{.unit = "of the greater of width and distance",
+             .bound = 1e-14,
+             .reason =
+                 "off the surface: two roundings of p + t u and the distance's four; along a ray that is steeper than "
                  "1 : 10 up to ten times as much",
-       .resolution = epsilon / 4.0,
+             .resolution = epsilon / 4.0}},
        .mutants = {{"shape/ray.hpp", "t - sign * at.distance / slope", "t - sign * at.distance"},
                    {"shape/ray.hpp", "result.first = inside ? result.exit : result.entry;",
                     "result.first = result.entry;"},

@@ -123,10 +123,10 @@ std::vector<Claim> surface_law_claims() {
        .function = "closest_point, support, is_inside",
        .family = OracleFamily::invariant,
        .oracle = "inequalities that hold for every convex body, and three mirrors",
-       .unit = "of the width",
-       .bound = 4e-15,
-       .reason = "two distances or three supports of 1e-15 each, and the norm of a difference",
-       .resolution = epsilon / 4.0,
+       .checks = {{.unit = "of the width",
+                   .bound = 4e-15,
+                   .reason = "two distances or three supports of 1e-15 each, and the norm of a difference",
+                   .resolution = epsilon / 4.0}},
        .mutants = {{"shape/surface.hpp", "zeta * (zeta + T(2) * stone.sphere_offset)",
                     "T(2) * zeta * (zeta + T(2) * stone.sphere_offset)"},
                    {"shape/surface.hpp", "const bool upper = !(p_B.z() < T(0));",
@@ -143,12 +143,12 @@ std::vector<Claim> surface_law_claims() {
        .function = "closest_point, support",
        .family = OracleFamily::invariant,
        .oracle = "central differences in long double",
-       .unit = "absolute; of the sphere's radius",
-       .bound = 2.5e-8,
-       .reason =
-           "step 1e-8: where it straddles the switch, a quarter of the step times the jump of the curvature, which "
-           "is 1 for the support, and up to 10 a tenth of the width outside",
-       .resolution = 0.0,
+       .checks = {{.unit = "absolute; of the sphere's radius",
+                   .bound = 2.5e-8,
+                   .reason = "step 1e-8: where it straddles the switch, a quarter of the step times the jump of the "
+                             "curvature, which "
+                             "is 1 for the support, and up to 10 a tenth of the width outside",
+                   .resolution = 0.0}},
        .mutants = {{"shape/surface.hpp", "radial = at_centre ? T(0) : T(rho / reach);",
                     "radial = at_centre ? T(0) : T(rho / stone.core_sphere_radius);"},
                    {"shape/surface.hpp", "const T across = stone.bevel_major_radius / n.radial",

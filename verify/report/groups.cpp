@@ -60,8 +60,7 @@ std::vector<Group> grouped_results(const Run& run) {
   return groups;
 }
 
-int slack_digits(const Result& result) {
-  const double slack = result.verdict.slack;
+int slack_digits(double slack) {
   return slack < 1 ? digits_to_tell(slack, 1.0) : slack > greatest_slack ? digits_to_tell(slack, greatest_slack) : 3;
 }
 

@@ -20,7 +20,7 @@ struct Group {
 [[nodiscard]] std::vector<Group> grouped_results(const Run& run);
 
 /// How many digits it takes to tell the slack from the limits that it must keep to.
-[[nodiscard]] int slack_digits(const Result& result);
+[[nodiscard]] int slack_digits(double slack);
 
 /// "32 claims", "1 claim".
 [[nodiscard]] std::string counted(std::size_t count, std::string_view noun);

@@ -21,10 +21,10 @@ struct Judged {
   std::string bound;
   std::string slack;
 };
-[[nodiscard]] Judged judged(const Result& result);
+[[nodiscard]] Judged judged(const Checked& of);
 
 /// A bar on a logarithmic scale from 1 to the greatest slack that is accepted.
-[[nodiscard]] std::string slack_bar(const Result& result);
+[[nodiscard]] std::string slack_bar(const Judgement& judgement);
 
 enum class Seed { shown, hidden };
 [[nodiscard]] std::string stamp(const Stamp& stamp, double seconds, Seed seed);

@@ -17,8 +17,6 @@ std::string entry(std::string_view name, const std::string& xhtml) {
 /// Terms and what they stand for.
 std::string facts(const Result& result) {
   const Claim& claim = *result.claim;
-  const Measurement& measurement = result.measurement;
-  const Judged shown = judged(result);
   std::string out = "<dl class=\"facts\">\n";
   if (!result.verdict.holds) {
     out += entry("Why not", fmt::format("<strong class=\"bad\">{}</strong>", xml(result.verdict.why)));
@@ -26,17 +24,43 @@ std::string facts(const Result& result) {
   out += entry("Function", fmt::format("<code>{}</code>", xml(claim.function)));
   out +=
       entry("Oracle", fmt::format("{} <span class=\"family\">{}</span>", xml(claim.oracle), to_string(claim.family)));
-  out += entry("Error", shown.error);
-  out += entry("Bound", fmt::format("{}<br/><span class=\"reason\">{}</span>", shown.bound, xml(claim.reason)));
-  out += entry("Slack", fmt::format("{} {}", shown.slack, slack_bar(result)));
-  if (claim.resolution > 0) {
-    out += entry("Resolution", fmt::format("{} {}", html_number(claim.resolution), xml(claim.unit)));
+  out += entry("Took", duration(result.seconds));
+  return out + "</dl>\n";
+}
+
+/// One check, by terms.
+std::string check(const Checked& of) {
+  const Judged shown = judged(of);
+  std::string out =
+      of.check.name.empty() ? "" : fmt::format("<h4>{} {}</h4>\n", mark(of.judgement.holds), xml(of.check.name));
+  out += "<dl class=\"facts\">\n";
+  if (!of.judgement.holds) {
+    out += entry("Why not", fmt::format("<strong class=\"bad\">{}</strong>", xml(of.judgement.why)));
   }
-  out += entry("Cases", fmt::format("{}, in {}", grouped(measurement.cases), duration(result.seconds)));
-  if (!measurement.worst_case.empty() && measurement.error != 0) {
-    out += entry("Worst case", fmt::format("<code>{}</code>", xml(measurement.worst_case)));
+  out += entry("Error", shown.error);
+  out += entry("Bound", fmt::format("{}<br/><span class=\"reason\">{}</span>", shown.bound, xml(of.check.reason)));
+  out += entry("Slack", fmt::format("{} {}", shown.slack, slack_bar(of.judgement)));
+  if (of.check.resolution > 0) {
+    out += entry("Resolution", fmt::format("{} {}", html_number(of.check.resolution), xml(of.check.unit)));
+  }
+  if (of.seen != 0) {
+    out += entry("Sees", fmt::format("values that are off by 10<sup>−{}</sup> of themselves", of.seen));
+  } else if (of.check.counts) {
+    out += entry("Sees", "what it counts: no value is compared");
+  }
+  out += entry("Cases", grouped(of.measured.cases));
+  if (!of.measured.worst_case.empty() && of.measured.error != 0) {
+    out += entry("Worst case", fmt::format("<code>{}</code>", xml(of.measured.worst_case)));
   }
   return out + "</dl>\n";
+}
+
+std::string checks(const Result& result) {
+  std::string out;
+  for (std::size_t i = 0; i < result.claim->checks.size(); ++i) {
+    out += check(result.checked(i));
+  }
+  return out;
 }
 
 std::string figures(const Measurement& measurement) {
@@ -82,7 +106,8 @@ std::string detail(const Result& result) {
              "<a class=\"up\" href=\"#overview\">overview</a></h3>\n"
              "<p class=\"statement\">{3}</p>\n",
              anchor(claim.id), mark(result.verdict.holds), xml(claim.id), xml(claim.statement)) +
-         facts(result) + figures(result.measurement) + plots(result.measurement) + mutants(claim) + "</article>\n";
+         facts(result) + checks(result) + figures(result.measurement) + plots(result.measurement) + mutants(claim) +
+         "</article>\n";
 }
 
 }  // namespace

@@ -15,27 +15,27 @@ std::string mark(bool holds) {
                : "<span class=\"mark bad\" role=\"img\" aria-label=\"does not hold\">✗</span>";
 }
 
-Judged judged(const Result& result) {
-  const double error = result.measurement.error;
-  const double bound = result.claim->bound;
+Judged judged(const Checked& of) {
+  const double error = of.measured.error;
+  const double bound = of.check.bound;
   const int digits = digits_to_tell(error, bound);
   const std::string unit =
-      result.claim->unit.empty() ? "" : fmt::format(" <span class=\"unit\">{}</span>", xml(result.claim->unit));
-  const double slack = result.verdict.slack;
+      of.check.unit.empty() ? "" : fmt::format(" <span class=\"unit\">{}</span>", xml(of.check.unit));
+  const double slack = of.judgement.slack;
   return {html_number(error, digits), html_number(bound, digits) + unit,
-          std::isnan(slack) ? "–" : html_number(slack, slack_digits(result))};
+          std::isnan(slack) ? "–" : html_number(slack, slack_digits(slack))};
 }
 
-std::string slack_bar(const Result& result) {
+std::string slack_bar(const Judgement& judgement) {
   constexpr double length = 72;
-  const double slack = result.verdict.slack;
+  const double slack = judgement.slack;
   const double part = slack > 1 ? std::min(1.0, std::log(slack) / std::log(greatest_slack)) : 0.0;
   std::string out = fmt::format(
       "<svg class=\"bar {}\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} 6\" "
       "width=\"{}\" "
       "height=\"6\" aria-hidden=\"true\"><rect class=\"track\" width=\"{}\" height=\"6\" "
       "rx=\"3\"/>",
-      result.verdict.holds ? "good" : "bad", length, length, length);
+      judgement.holds ? "good" : "bad", length, length, length);
   out += fmt::format("<rect class=\"fill\" width=\"{:.1f}\" height=\"6\" rx=\"3\"/>", std::max(3.0, part * length));
   return out + "</svg>";
 }
@@ -87,7 +87,9 @@ std::string how_to_read(const std::string& derivations) {
       "<b>Bound</b> is the greatest error with which the claim still holds, and each bound has a "
       "reason. <b>Slack</b> is bound over error, and an error below the resolution of the quantity "
       "counts as that resolution: at 1 the error reaches the bound, and over {0} the bound guards "
-      "nothing, so that the claim fails. An error that is not a number fails. The bar shows the "
+      "nothing, so that the claim fails. An error that is not a number fails. A claim of several checks holds if each "
+      "does, "
+      "and is shown by its weakest, the one whose error comes nearest to its bound. The bar shows the "
       "slack from 1 to {0} on a logarithmic scale. Each id leads to the details.</p>{1}\n</section>\n",
       plain_number(greatest_slack), proofs);
 }
@@ -96,7 +98,11 @@ namespace {
 
 std::string row(const Result& result) {
   const Claim& claim = *result.claim;
-  const Judged shown = judged(result);
+  const Checked weakest = result.weakest();
+  const Judged shown = judged(weakest);
+  const std::string check = claim.checks.size() < 2 ? ""
+                                                    : fmt::format(" <span class=\"check\">{} of {} checks</span>",
+                                                                  xml(weakest.check.name), claim.checks.size());
   return fmt::format(
       "<tr{}>\n<td class=\"verdict-mark\">{}</td>\n"
       "<th scope=\"row\"><a href=\"#{}\">{}</a></th>\n<td class=\"statement\">{}</td>\n"
@@ -105,7 +111,8 @@ std::string row(const Result& result) {
       "<td class=\"number\" data-label=\"slack\">{} {}</td>\n"
       "<td class=\"number time\" data-label=\"time\">{}</td>\n</tr>\n",
       result.verdict.holds ? "" : " class=\"failed\"", mark(result.verdict.holds), anchor(claim.id), xml(claim.id),
-      xml(claim.statement), shown.error, shown.bound, shown.slack, slack_bar(result), duration(result.seconds));
+      xml(claim.statement) + check, shown.error, shown.bound, shown.slack, slack_bar(weakest.judgement),
+      duration(result.seconds));
 }
 
 }  // namespace

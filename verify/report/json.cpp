@@ -62,6 +62,15 @@ class Json {
     writer_.EndArray();
   }
 
+  template <class Each>
+  void list(std::size_t count, Each&& each) {
+    writer_.StartArray();
+    for (std::size_t i = 0; i < count; ++i) {
+      each(i);
+    }
+    writer_.EndArray();
+  }
+
   [[nodiscard]] std::string text() const { return std::string(buffer_.GetString(), buffer_.GetSize()) + "\n"; }
 
  private:
@@ -89,6 +98,25 @@ void write_plot(Json& json, const Plot& plot) {
   });
 }
 
+void write_check(Json& json, const Checked& of) {
+  json.object([&] {
+    json.member("name", of.check.name);
+    json.flag("holds", of.judgement.holds);
+    json.member("why", of.judgement.why);
+    json.member("unit", of.check.unit);
+    json.member("error", of.measured.error);
+    json.member("bound", of.check.bound);
+    json.member("reason", of.check.reason);
+    json.member("resolution", of.check.resolution);
+    json.member("slack", of.judgement.slack);
+    json.member("cases", of.measured.cases);
+    json.member("worst_case", of.measured.worst_case);
+    json.flag("counts", of.check.counts);
+    json.key("least_error_seen");
+    json.number(of.seen == 0 ? std::nan("") : std::pow(10.0, -of.seen));
+  });
+}
+
 void write_result(Json& json, const Result& result) {
   const Claim& claim = *result.claim;
   const Measurement& measurement = result.measurement;
@@ -100,15 +128,10 @@ void write_result(Json& json, const Result& result) {
     json.member("family", to_string(claim.family));
     json.flag("holds", result.verdict.holds);
     json.member("why", result.verdict.why);
-    json.member("unit", claim.unit);
-    json.member("error", measurement.error);
-    json.member("bound", claim.bound);
-    json.member("reason", claim.reason);
-    json.member("resolution", claim.resolution);
-    json.member("slack", result.verdict.slack);
-    json.member("cases", measurement.cases);
-    json.member("worst_case", measurement.worst_case);
     json.member("seconds", result.seconds);
+    json.member("weakest", std::uint64_t{result.verdict.weakest()});
+    json.key("checks");
+    json.list(claim.checks.size(), [&](std::size_t i) { write_check(json, result.checked(i)); });
     json.array("figures", measurement.figures, [&](const Figure& figure) {
       json.object([&] {
         json.member("name", figure.name);

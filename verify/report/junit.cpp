@@ -17,13 +17,17 @@ std::string seconds(double value) {
 
 std::string what_was_found(const Result& result) {
   const Claim& claim = *result.claim;
-  const int digits = digits_to_tell(result.measurement.error, claim.bound, 6);
-  return fmt::format(
-      "error {} {}, bound {} ({}), slack {}\nfunction: {}\noracle: {} ({})\ncases: {}\n"
-      "worst case: {}\n",
-      plain_number(result.measurement.error, digits), claim.unit, plain_number(claim.bound, digits), claim.reason,
-      plain_number(result.verdict.slack), claim.function, claim.oracle, to_string(claim.family),
-      result.measurement.cases, result.measurement.worst_case);
+  std::string out =
+      fmt::format("function: {}\noracle: {} ({})\n", claim.function, claim.oracle, to_string(claim.family));
+  for (std::size_t i = 0; i < claim.checks.size(); ++i) {
+    const auto& [check, measured, judgement, seen] = result.checked(i);
+    const int digits = digits_to_tell(measured.error, check.bound, 6);
+    out += fmt::format("{}error {} {}, bound {} ({}), slack {}\ncases: {}\nworst case: {}\n",
+                       check.name.empty() ? "" : check.name + ": ", plain_number(measured.error, digits), check.unit,
+                       plain_number(check.bound, digits), check.reason, plain_number(judgement.slack), measured.cases,
+                       measured.worst_case);
+  }
+  return out;
 }
 
 std::string test_case(const Group& group, const Result& result) {

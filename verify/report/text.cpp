@@ -27,23 +27,28 @@ std::string hanging(const std::string& head, std::string_view words) {
 }
 
 /// "1.34e-15 ≤ 1e-13 relative", with as many digits as it takes to tell the two apart.
-std::string comparison(const Result& result) {
-  const double error = result.measurement.error;
-  const double bound = result.claim->bound;
+std::string comparison(const Checked& of) {
+  const double error = of.measured.error, bound = of.check.bound;
   const int digits = digits_to_tell(error, bound);
   const char* const sign = error <= bound ? "≤" : error > bound ? ">" : "?";
   return fmt::format("{:>9} {} {:>5} {}", plain_number(error, digits), sign, plain_number(bound, digits),
-                     printable(result.claim->unit));
+                     printable(of.check.unit));
 }
 
 }  // namespace
 
 std::string text_line(const Result& result) {
   const Claim& claim = *result.claim;
+  const Checked weakest = result.weakest();
+  const double slack = weakest.judgement.slack;
   const std::string head = fmt::format("{}  {} {} slack {:>5} {:>9.2f} s", result.verdict.holds ? "holds" : "FAILS",
-                                       padded(printable(claim.id), 12), padded(comparison(result), 36),
-                                       plain_number(result.verdict.slack, slack_digits(result)), result.seconds);
+                                       padded(printable(claim.id), 12), padded(comparison(weakest), 36),
+                                       plain_number(slack, slack_digits(slack)), result.seconds);
   std::string out = head + "\n" + hanging("       ", claim.statement);
+  if (1 < claim.checks.size()) {
+    out += "\n" +
+           hanging("       ", fmt::format("(the weakest of {} checks: {})", claim.checks.size(), weakest.check.name));
+  }
   if (!result.verdict.holds) {
     const auto detail = [&](std::string_view name, std::string_view words) {
       out += "\n" + hanging(fmt::format("       {:<11} ", name), words);
@@ -51,10 +56,16 @@ std::string text_line(const Result& result) {
     detail("why", result.verdict.why);
     detail("function", claim.function);
     detail("oracle", fmt::format("{} ({})", claim.oracle, to_string(claim.family)));
-    detail("bound from", claim.reason);
-    detail("cases", fmt::format("{}", result.measurement.cases));
-    if (!result.measurement.worst_case.empty()) {
-      detail("worst case", result.measurement.worst_case);
+    for (std::size_t i = 0; i < claim.checks.size(); ++i) {
+      const Checked of = result.checked(i);
+      if (!of.check.name.empty()) {
+        detail(of.judgement.holds ? "check" : "FAILS", fmt::format("{}: {}", of.check.name, comparison(of)));
+      }
+      detail("bound from", of.check.reason);
+      detail("cases", fmt::format("{}", of.measured.cases));
+      if (!of.measured.worst_case.empty()) {
+        detail("worst case", of.measured.worst_case);
+      }
     }
     for (const Figure& figure : result.measurement.figures) {
       detail("", fmt::format("{}: {}", figure.name, figure.value));
