@@ -19,6 +19,7 @@ std::vector<Claim> all_claims() {
       {"claims/tensor.cpp", tensor_claims},
       {"claims/table.cpp", table_claims},
       {"claims/domain_stone.cpp", domain_stone_claims},
+      {"claims/domain_board.cpp", domain_board_claims},
       {"claims/domain_motion.cpp", domain_motion_claims},
       {"claims/domain_impact.cpp", domain_impact_claims},
       {"claims/published.cpp", published_claims},

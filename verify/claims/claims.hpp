@@ -18,6 +18,7 @@ namespace goishi::verify {
 [[nodiscard]] std::vector<Claim> law_claims();               // LAW: limits, scaling, sandwich, Steiner
 [[nodiscard]] std::vector<Claim> tensor_claims();            // TENSOR: frames, points, principal axes
 [[nodiscard]] std::vector<Claim> domain_stone_claims();      // DOMAIN: shape, mass and surface of stones of any size
+[[nodiscard]] std::vector<Claim> domain_board_claims();      // DOMAIN: boards, their regions, rays at them
 [[nodiscard]] std::vector<Claim> domain_motion_claims();     // DOMAIN: flights of any size and length
 [[nodiscard]] std::vector<Claim> domain_impact_claims();     // DOMAIN: impacts of any size
 [[nodiscard]] std::vector<Claim> table_claims();             // TABLE: the generated inertia table, certified

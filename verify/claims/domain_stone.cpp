@@ -12,34 +12,11 @@
 #include "verify/claims/claims.hpp"
 #include "verify/domain_samples.hpp"
 #include "verify/oracles/multiprecision.hpp"
-#include "verify/samples.hpp"
 #include "verify/ulps.hpp"
 
 namespace goishi::verify {
 
 namespace {
-
-template <class T>
-constexpr double reach_of = std::numeric_limits<T>::digits < 30 ? 18.0 : 150.0;
-template <class T>
-constexpr double epsilon_in = static_cast<double>(std::numeric_limits<T>::epsilon());
-
-/// Widths of any size, denormal ones too; heights down to nothing of it, or in the strata of `draw_shape`, whose ball,
-/// near-ball and bevels up to the height are exact.
-template <class T>
-ShapeSample<T> draw_any_shape(Context& context, int i) {
-  ShapeSample<T> shape = draw_shape<T>(context.random(), i);
-  const T size =
-      i % 50 == 49 ? std::numeric_limits<T>::denorm_min() * T(1000) : any_size<T>(context.random(), reach_of<T>);
-  shape.width *= size;
-  shape.height *= size;
-  shape.bevel = i % 4 == 0 ? T(0) : shape.bevel * size;
-  if (i % 6 == 5) {
-    shape.height = std::min(shape.width, any_size<T>(context.random(), reach_of<T>));
-    shape.bevel = std::min(shape.bevel, shape.height / T(2));
-  }
-  return shape;
-}
 
 template <class T>
 std::vector<std::pair<const char*, T>> lengths(const Stone<T>& stone) {
@@ -127,7 +104,7 @@ Measurement masses_of(Context& context, Worst& worst, int count) {
     if (!stone) {
       continue;
     }
-    const T given = any_size<T>(context.random(), i % 2 == 0 ? 4.0 : reach_of<T>);
+    const T given = any_size<T>(context.random(), i % 2 == 0 ? 4.0 : size_reach<T>);
     const int mode = rounding_modes[static_cast<std::size_t>(i / 5) % rounding_modes.size()];
     const bool by_mass = i % 2 == 1;
     const auto weigh = [&](const auto& of, const auto& value) {
@@ -153,32 +130,15 @@ Measurement measure_masses(Context& context) {
   return masses_of<float>(context, worst, context.samples(4000, 20'000));
 }
 
-/// Attitudes whose zeros are exact, and any, as far off the unit sphere as is let through.
-template <class T>
-Quat<T> draw_defective(Context& context, int i) {
-  Quat<T> q(T(1), T(0), T(0), T(0));
-  if (i % 4 == 1) {
-    const T root = std::sqrt(T(1) / T(2));
-    q = Quat<T>(root, T(0), root, T(0));
-  } else if (i % 4 == 2) {
-    q = Quat<T>(T(0.5), T(-0.5), T(0.5), T(0.5));
-  } else if (i % 4 == 3) {
-    q = draw_attitude(context.random()).template cast<T>().normalized();
-  }
-  const int defect = unit_defects[static_cast<std::size_t>(i / 4) % unit_defects.size()];
-  q.coeffs() *= T(1) + static_cast<T>(defect) / T(2) * std::numeric_limits<T>::epsilon();
-  return q;
-}
-
 template <class T>
 Measurement tensors_of(Context& context, Worst& worst, int count) {
   for (int i = 0; i < count; ++i) {
     MassProperties<T> body;
-    body.mass = any_size<T>(context.random(), reach_of<T>);
-    body.moments.transverse = any_size<T>(context.random(), reach_of<T>);
+    body.mass = any_size<T>(context.random(), size_reach<T>);
+    body.moments.transverse = any_size<T>(context.random(), size_reach<T>);
     body.moments.axial = body.moments.transverse * static_cast<T>(context.uniform(0.01, 2.0));
     const Quat<T> q = draw_defective<T>(context, i);
-    const T away = i % 5 == 0 ? T(0) : any_size<T>(context.random(), reach_of<T>);
+    const T away = i % 5 == 0 ? T(0) : any_size<T>(context.random(), size_reach<T>);
     const Vec3<T> p(away, i % 3 == 0 ? T(0) : -away, static_cast<T>(context.uniform(-1.0, 1.0)) * away);
     MassProperties<Digits50> wide;
     wide.mass = Digits50(body.mass);
@@ -221,7 +181,7 @@ Measurement surfaces_of(Context& context, Worst& worst, int count) {
     const auto draw = [&] { return static_cast<T>(context.uniform(-1.0, 1.0)); };
     const T zero(0), half = stone->width / T(2);
     // The centre, the axis, the rim, its plane, the cap, to the bit; anywhere, from far in it to far out.
-    const T far = half * any_size<T>(context.random(), i % 2 == 0 ? 1.0 : i % 5 == 0 ? 1.2 * reach_of<T> : 10.0);
+    const T far = half * any_size<T>(context.random(), i % 2 == 0 ? 1.0 : i % 5 == 0 ? 1.2 * size_reach<T> : 10.0);
     const std::array<Vec3<T>, 8> points = {Vec3<T>(zero, zero, zero),
                                            Vec3<T>(zero, zero, far),
                                            Vec3<T>(stone->bevel_major_radius, zero, zero),
@@ -256,8 +216,7 @@ Measurement surfaces_of(Context& context, Worst& worst, int count) {
                                                Vec3<T>(stone->joint_cosine, zero, stone->joint_sine).normalized(),
                                                Vec3<T>(draw(), draw(), draw()).normalized()};
     const int defect = unit_defects[static_cast<std::size_t>(i / 4) % unit_defects.size()];
-    const Vec3<T> n = (T(1) + static_cast<T>(defect) / T(2) * std::numeric_limits<T>::epsilon()) *
-                      directions[static_cast<std::size_t>(i) % directions.size()];
+    const Vec3<T> n = defective<T>(defect) * directions[static_cast<std::size_t>(i) % directions.size()];
     const auto describe_direction = [&] {
       return fmt::format("{}, n = ({:a}, {:a}, {:a}), mode {}", describe(shape), n.x(), n.y(), n.z(), mode);
     };
