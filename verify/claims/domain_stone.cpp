@@ -180,16 +180,18 @@ Measurement surfaces_of(Context& context, Worst& worst, int count) {
     const Stone<Digits50> wide = stone_cast<Digits50>(*stone);
     const auto draw = [&] { return static_cast<T>(context.uniform(-1.0, 1.0)); };
     const T zero(0), half = stone->width / T(2);
-    // The centre, the axis, the rim, its plane, the cap, to the bit; anywhere, from far in it to far out.
+    // The centre, the axis, the rim, its plane, the cap, to the bit, and next to the rim; anywhere, from far in it to far out.
     const T far = half * any_size<T>(context.random(), i % 2 == 0 ? 1.0 : i % 5 == 0 ? 1.2 * size_reach<T> : 10.0);
-    const std::array<Vec3<T>, 8> points = {Vec3<T>(zero, zero, zero),
+    const T next = stone->width * any_size<T>(context.random(), 1.0) * std::numeric_limits<T>::epsilon();
+    const std::array<Vec3<T>, 9> points = {Vec3<T>(zero, zero, zero),
                                            Vec3<T>(zero, zero, far),
                                            Vec3<T>(stone->bevel_major_radius, zero, zero),
                                            Vec3<T>(zero, -half, zero),
                                            Vec3<T>(far, zero, zero),
                                            Vec3<T>(zero, zero, -stone->height / T(2)),
                                            Vec3<T>(far * draw(), far * draw(), far * draw()),
-                                           Vec3<T>(far, far * draw(), std::numeric_limits<T>::denorm_min())};
+                                           Vec3<T>(far, far * draw(), std::numeric_limits<T>::denorm_min()),
+                                           Vec3<T>(T(0), stone->bevel_major_radius + next, next)};
     const int mode = rounding_modes[static_cast<std::size_t>(i / 8) % rounding_modes.size()];
     const Vec3<T>& p = points[static_cast<std::size_t>(i) % points.size()];
     const auto describe_point = [&] {
@@ -210,6 +212,8 @@ Measurement surfaces_of(Context& context, Worst& worst, int count) {
                                          .norm()));
       }
       worst.see(static_cast<double>(Digits50(off / size)), epsilon_in<T>, describe_point);
+      worst.see(std::fabs(static_cast<double>(Digits50(answer->normal_B.template cast<Digits50>().squaredNorm() - 1))),
+                2.0 * epsilon_in<T>, [&] { return "normal: " + describe_point(); });
     }
     // Directions: along axes to the bit, any, off the unit sphere.
     const std::array<Vec3<T>, 4> directions = {Vec3<T>(zero, zero, T(1)), Vec3<T>(T(-1), zero, zero),
@@ -299,7 +303,8 @@ std::vector<Claim> domain_stone_claims() {
        .bound = 16.0,
        .reason = "SURFACE-1 and SURFACE-2 have 5; rounding that is not to the nearest errs by twice as much",
        .resolution = 1.0,
-       .mutants = {{"shape/surface.hpp", "std::numeric_limits<T>::max() / T(4)", "std::numeric_limits<T>::infinity()"}},
+       .mutants = {{"shape/surface.hpp", "std::numeric_limits<T>::max() / T(4)", "std::numeric_limits<T>::infinity()"},
+                   {"shape/surface.hpp", "square < least_square<T>", "square < T(0)"}},
        .measure = measure_surfaces},
   };
 }
