@@ -141,8 +141,8 @@ void see_rays(Context& context, Worst& worst, int count) {
 
 Measurement measure_rays(Context& context) {
   Worst worst;
-  see_rays<double>(context, worst, context.samples(1500, 15'000));
-  see_rays<float>(context, worst, context.samples(1500, 15'000));
+  see_rays<double>(context, worst, context.samples(1500, 9000));
+  see_rays<float>(context, worst, context.samples(1500, 9000));
   return worst.measurement();
 }
 
