@@ -129,8 +129,9 @@ TEST(ReportJson, KeepsToTheSchema) {
   Sample sample;
   EXPECT_EQ(schema_error(json_report(sample.run)), "");
   fill(sample);
-  for (const OracleFamily family : {OracleFamily::exact, OracleFamily::invariant, OracleFamily::metamorphic,
-                                    OracleFamily::independent, OracleFamily::published, OracleFamily::regression}) {
+  for (const OracleFamily family :
+       {OracleFamily::proof, OracleFamily::exact, OracleFamily::invariant, OracleFamily::metamorphic,
+        OracleFamily::rounding, OracleFamily::independent, OracleFamily::published, OracleFamily::regression}) {
     sample.add("FAMILY-1", 1, 2, family);
   }
   EXPECT_EQ(schema_error(json_report(sample.run)), "");

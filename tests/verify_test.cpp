@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <boost/multiprecision/cpp_bin_float.hpp>
+#include <chrono>
 #include <cmath>
 #include <limits>
+#include <thread>
 
 #include "verify/claim.hpp"
 #include "verify/run.hpp"
@@ -214,6 +217,26 @@ TEST(Run, IsTheSameForAnyNumberOfThreads) {
   };
   EXPECT_EQ(error_of_first(1, 7), error_of_first(3, 7));
   EXPECT_NE(error_of_first(1, 7), error_of_first(1, 8));
+}
+
+/// It is left alone, and the others are measured.
+TEST(Run, AClaimThatHangsFails) {
+  auto claims = three_claims();
+  static std::atomic<bool> released = false;
+  claims[1].measure = [](Context&) -> Measurement {
+    while (!released) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return measured(0.5);
+  };
+  const auto run = run_claims(
+      claims, make_stamp(1, Tier::quick), 1, [](const Result&, std::size_t) {}, 0.1);
+  released = true;
+  EXPECT_TRUE(run.hangs);
+  EXPECT_TRUE(run.results[0].verdict.holds);
+  EXPECT_FALSE(run.results[1].verdict.holds);
+  EXPECT_NE(run.results[1].verdict.why.find("longer than 0.1 s"), std::string::npos);
+  EXPECT_TRUE(run.results[2].verdict.holds);
 }
 
 /// A check that nothing could make fail does not hold, in the full tier, unless it counts.

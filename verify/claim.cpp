@@ -9,6 +9,8 @@ namespace goishi::verify {
 
 std::string_view to_string(OracleFamily family) {
   switch (family) {
+    case OracleFamily::proof:
+      return "proof";
     case OracleFamily::exact:
       return "exact solution";
     case OracleFamily::invariant:
@@ -17,6 +19,8 @@ std::string_view to_string(OracleFamily family) {
       return "metamorphic relation";
     case OracleFamily::independent:
       return "independent computation";
+    case OracleFamily::rounding:
+      return "rounding of the same formula";
     case OracleFamily::published:
       return "published numbers";
     case OracleFamily::regression:

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What a claim is: a sentence about a production function, an oracle of another family, a measured error, a bound
+/// What a claim is: a sentence about a production function, an oracle, a measured error, a bound
 /// with its reason, and the wrong changes to the source that it is known to catch.
 
 #include <cstddef>
@@ -16,8 +16,9 @@
 
 namespace goishi::verify {
 
-/// Best first.
-enum class OracleFamily { exact, invariant, metamorphic, independent, published, regression };
+/// Best first. `rounding`: the witness is the same formula in more digits, so that range and round-off are judged, and not
+/// whether the formula is right.
+enum class OracleFamily { proof, exact, invariant, metamorphic, independent, rounding, published, regression };
 [[nodiscard]] std::string_view to_string(OracleFamily family);
 
 /// quick: seconds, on every build. full: more samples, and the claims that are dear.

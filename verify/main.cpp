@@ -1,11 +1,16 @@
 /// goishi-verify: measures and judges the claims, and writes the report.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cinttypes>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <goishi/error.hpp>
+#include <map>
 #include <thread>
 
 #include "verify/certify/command.hpp"
@@ -30,6 +35,7 @@ struct Options {
   std::string filter = "*";
   std::string tier = "quick";
   std::uint64_t seed = 1;
+  std::string seeds;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   std::string report_folder;
   std::string json_file;
@@ -53,6 +59,8 @@ void define(CLI::App& app, Options& options) {
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str()
       ->type_name("N");
+  app.add_option("--seeds", options.seeds, "run them all, and say which claims fail with which: FIRST-LAST")
+      ->type_name("A-B");
   app.add_option("--threads", options.threads, "claims measured at once; the results do not depend on it")
       ->check(CLI::Range(1U, 256U))
       ->capture_default_str()
@@ -86,8 +94,7 @@ void list_mutants(const std::vector<Claim>& claims) {
 /// On a terminal the running count stands in one line that the next result overwrites.
 void show_progress(std::size_t finished, std::size_t total) {
   if (isatty(STDERR_FILENO) != 0) {
-    fmt::print(stderr, "\r\033[K{}",
-               finished < total ? fmt::format("{} of {} claims measured …", finished, total) : "");
+    fmt::print(stderr, "\r\033[K{}", finished < total ? fmt::format("{} of {} measured …", finished, total) : "");
     std::fflush(stderr);
   }
 }
@@ -124,6 +131,45 @@ void write_report(const Run& run, const std::filesystem::path& folder, bool with
   write_file(folder / "junit.xml", junit_report(run));
 }
 
+/// FIRST-LAST.
+std::pair<std::uint64_t, std::uint64_t> range_of(const std::string& seeds) {
+  std::uint64_t first = 0, last = 0;
+  char more = 0;
+  const bool read = std::sscanf(seeds.c_str(), "%" SCNu64 "-%" SCNu64 "%c", &first, &last, &more) == 2;
+  goishi::require(read && first <= last && last - first < 100'000, "seeds", seeds, "must be FIRST-LAST, as 1-100");
+  return {first, last};
+}
+
+/// How often each claim fails.
+int verify_seeds(const std::vector<Claim>& claims, const Options& options, Tier tier) {
+  const auto [first, last] = range_of(options.seeds);
+  std::map<std::string, std::vector<std::uint64_t>> failed;
+  bool hangs = false;
+  for (std::uint64_t seed = first; seed <= last && !hangs; ++seed) {
+    const Run run = run_claims(claims, make_stamp(seed, tier), options.threads, [](const Result&, std::size_t) {});
+    for (const Result& result : run.results) {
+      if (!result.verdict.holds) {
+        failed[result.claim->id].push_back(seed);
+        fmt::print("FAILS  {:13} seed {}: {}\n", result.claim->id, seed, result.verdict.why);
+      }
+    }
+    hangs = run.hangs;
+    show_progress(seed - first + 1, last - first + 1);
+  }
+  std::size_t failures = 0;
+  for (const auto& [id, seeds] : failed) {
+    failures += seeds.size();
+    fmt::print("{:13} fails with {} of {} seeds: {}\n", id, seeds.size(), last - first + 1, fmt::join(seeds, ", "));
+  }
+  fmt::print("{} failures of {} claims with {} seeds, tier {}\n", failures, claims.size(), last - first + 1,
+             to_string(tier));
+  std::fflush(stdout);
+  if (hangs) {
+    std::_Exit(claim_failed);
+  }
+  return failures == 0 ? all_hold : claim_failed;
+}
+
 int verify(const Options& options) {
   std::vector<Claim> claims = all_claims();
   std::erase_if(claims, [&](const Claim& claim) { return !matches(claim.id, options.filter); });
@@ -142,8 +188,11 @@ int verify(const Options& options) {
   }
   require_folders(options);
   silence_gsl();
-  show_progress(0, claims.size());
   const Tier tier = options.tier == "full" ? Tier::full : Tier::quick;
+  if (!options.seeds.empty()) {
+    return verify_seeds(claims, options, tier);
+  }
+  show_progress(0, claims.size());
   const Run run = run_claims(claims, make_stamp(options.seed, tier), options.threads,
                              [&](const Result&, std::size_t finished) { show_progress(finished, claims.size()); });
   for (const Result& result : run.results) {
@@ -159,13 +208,17 @@ int verify(const Options& options) {
   if (!options.junit_file.empty()) {
     write_file(options.junit_file, junit_report(run));
   }
+  if (run.hangs) {
+    std::fflush(nullptr);
+    std::_Exit(claim_failed);
+  }
   return run.failures() == 0 ? all_hold : claim_failed;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Verifies Goishi: each claim's production function against an oracle that shares no formula with it.",
+  CLI::App app("Verifies Goishi: each claim's production function against an oracle, as independent of it as can be.",
                "goishi-verify");
   Options options;
   bench::BenchOptions bench_options;

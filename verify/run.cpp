@@ -5,11 +5,13 @@
 #include <sys/utsname.h>
 
 #include <array>
-#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <condition_variable>
 #include <ctime>
 #include <exception>
 #include <fstream>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -120,29 +122,86 @@ std::size_t Run::failures() const {
   return count;
 }
 
+namespace {
+
+/// What the threads of a run share. It outlives the run where a thread hangs.
+struct Desk {
+  explicit Desk(const std::vector<Claim>& the_claims)
+      : claims(the_claims), results(the_claims.size()), begun(the_claims.size()), over(the_claims.size(), false) {}
+
+  std::vector<Claim> claims;
+  std::vector<Result> results;
+  std::vector<std::optional<std::chrono::steady_clock::time_point>> begun;  // of the claims under way
+  std::vector<bool> over;
+  std::size_t next = 0, finished = 0;
+  std::mutex mutex;
+  std::condition_variable changed;
+};
+
+void work(const std::shared_ptr<Desk>& desk, const Stamp& stamp) {
+  std::unique_lock lock(desk->mutex);
+  while (desk->next < desk->claims.size()) {
+    const std::size_t i = desk->next++;
+    desk->begun[i] = std::chrono::steady_clock::now();
+    lock.unlock();
+    Result result = measure(desk->claims[i], stamp);
+    lock.lock();
+    if (desk->over[i]) {
+      return;  // too late: another has taken this one's place
+    }
+    desk->begun[i].reset();
+    desk->over[i] = true;
+    desk->results[i] = std::move(result);
+    ++desk->finished;
+    desk->changed.notify_all();
+  }
+}
+
+}  // namespace
+
 Run run_claims(const std::vector<Claim>& claims, const Stamp& stamp, unsigned threads,
-               const std::function<void(const Result&, std::size_t)>& done) {
+               const std::function<void(const Result&, std::size_t)>& done, double limit) {
   const auto start = std::chrono::steady_clock::now();
-  Run run{.stamp = stamp, .results = std::vector<Result>(claims.size()), .seconds = 0.0};
-  std::atomic<std::size_t> next = 0;
-  std::size_t finished = 0;
-  std::mutex reporting;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < claims.size(); i = next++) {
-      run.results[i] = measure(claims[i], stamp);
-      const std::scoped_lock lock(reporting);
-      done(run.results[i], ++finished);
+  Run run;
+  run.stamp = stamp;
+  const auto desk = std::make_shared<Desk>(claims);
+  const auto hire = [&] { std::thread([desk, stamp] { work(desk, stamp); }).detach(); };
+  for (unsigned i = 0; i < threads; ++i) {
+    hire();
+  }
+  std::unique_lock lock(desk->mutex);
+  std::vector<bool> shown(claims.size(), false);
+  std::size_t count = 0;
+  while (count < claims.size()) {
+    desk->changed.wait_for(lock, std::chrono::milliseconds(200));
+    const auto now = std::chrono::steady_clock::now();
+    for (std::size_t i = 0; i < claims.size(); ++i) {
+      if (desk->begun[i] && limit < std::chrono::duration<double>(now - *desk->begun[i]).count()) {
+        desk->begun[i].reset();
+        desk->over[i] = run.hangs = true;
+        desk->results[i].claim = &desk->claims[i];
+        desk->results[i].verdict = judge(desk->claims[i], {});
+        desk->results[i].verdict.why = fmt::format("it takes longer than {} s", limit);
+        desk->results[i].seconds = limit;
+        hire();
+      }
+      if (desk->over[i] && !shown[i]) {
+        shown[i] = true;
+        done(desk->results[i], ++count);
+      }
     }
-  };
-  {
-    std::vector<std::jthread> workers;
-    for (unsigned i = 1; i < threads; ++i) {
-      workers.emplace_back(work);
-    }
-    work();
+  }
+  run.results = desk->results;
+  for (std::size_t i = 0; i < claims.size(); ++i) {
+    run.results[i].claim = &claims[i];
   }
   run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return run;
+}
+
+Run run_claims(const std::vector<Claim>& claims, const Stamp& stamp, unsigned threads,
+               const std::function<void(const Result&, std::size_t)>& done) {
+  return run_claims(claims, stamp, threads, done, longest(stamp.tier));
 }
 
 bool matches(std::string_view id, std::string_view patterns) {

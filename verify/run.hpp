@@ -29,12 +29,21 @@ struct Run {
   Stamp stamp;
   std::vector<Result> results;  // in the order of the claims
   double seconds = 0.0;
+  bool hangs = false;  // a claim took longer than its limit, and is still at it: the program has to end by _Exit
 
   [[nodiscard]] std::size_t failures() const;
 };
 
-/// Measures and judges each claim, on `threads` threads. A claim that throws does not hold. `done` is called after
-/// each claim, from one thread at a time, with the number of claims finished.
+/// How long a claim may take   [s]: more than ten times what the longest does on the machines that we know.
+[[nodiscard]] constexpr double longest(Tier tier) {
+  return tier == Tier::quick ? 60.0 : 300.0;
+}
+
+/// Measures and judges each claim, on `threads` threads. A claim that throws does not hold, nor one that takes longer than
+/// `limit` seconds: it is left alone, and the others go on. `done` is called after each claim, from one thread at a time,
+/// with the number of claims finished.
+[[nodiscard]] Run run_claims(const std::vector<Claim>& claims, const Stamp& stamp, unsigned threads,
+                             const std::function<void(const Result&, std::size_t)>& done, double limit);
 [[nodiscard]] Run run_claims(const std::vector<Claim>& claims, const Stamp& stamp, unsigned threads,
                              const std::function<void(const Result&, std::size_t)>& done);
 

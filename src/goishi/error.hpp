@@ -64,14 +64,24 @@ void require_positive(const char* argument, const T& value) {
   require(T(0) < value && scalar::is_finite(value), argument, value, "must be positive and finite");
 }
 
-/// A length, as formulas take it, which square lengths: ε times its square is a normal number, and 256 times its square
-/// finite (double: 1.1e-146 … 8.4e152, float: 3.2e-16 … 1.1e18).
+/// The lengths that formulas take, which square lengths: ε times the square of `least` is a normal number, and 256 times
+/// that of `most` finite (double: 1.1e-146 … 8.4e152, float: 3.2e-16 … 1.1e18).
+template <class T>
+struct LengthRange {
+  T least, most;
+};
+
+template <Ordered T>
+[[nodiscard]] LengthRange<T> length_range() {
+  return {.least = scalar::sqrt(T(std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon())),
+          .most = scalar::sqrt(std::numeric_limits<T>::max()) / T(16)};
+}
+
+/// Throws InvalidArgument unless a length is in `length_range`.
 template <Ordered T>
 void require_length(const char* argument, const T& value) {
   require_positive(argument, value);
-  const T epsilon = std::numeric_limits<T>::epsilon();
-  const T least = scalar::sqrt(T(std::numeric_limits<T>::min() / epsilon));
-  const T most = scalar::sqrt(std::numeric_limits<T>::max()) / T(16);
+  const auto [least, most] = length_range<T>();
   require(least <= value && value <= most, argument, value,
           "must not be so small or so great that squares of lengths beside it leave the range of its type");
 }

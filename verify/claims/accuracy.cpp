@@ -214,7 +214,7 @@ std::vector<Claim> accuracy_claims() {
        .statement = "Radius r, offset d and joint of a sharp stone are right to one ulp, float and double, from h/w = "
                     "1e-9 to the ball.",
        .function = "make_stone(width, height)",
-       .family = OracleFamily::independent,
+       .family = OracleFamily::rounding,
        .oracle = arb,
        .checks = {{.unit = "ulp", .bound = 1.0, .reason = once, .resolution = 1.0}},
        .mutants = {{"shape/lens.hpp", "T((width - height) * (width + height) / (T(4) * height))",
@@ -224,7 +224,7 @@ std::vector<Claim> accuracy_claims() {
        .statement = "Every length of a bevelled stone, as published, is right to one ulp, thin, near-ball and b/h "
                     "from 1e-12 to 1 − 1e-9.",
        .function = "make_stone(width, height, bevel)",
-       .family = OracleFamily::independent,
+       .family = OracleFamily::rounding,
        .oracle = arb,
        .checks = {{.unit = "ulp", .bound = 1.0, .reason = once, .resolution = 1.0}},
        .mutants = {{"shape/stone.hpp", "using Wide = scalar::wider_t<T>;", "using Wide = T;"},
@@ -234,7 +234,7 @@ std::vector<Claim> accuracy_claims() {
       {.id = "SHAPE-3",
        .statement = "The same when the finished stone has the given width, thickness and bevel.",
        .function = "make_measured_stone(outer_width, height, bevel)",
-       .family = OracleFamily::independent,
+       .family = OracleFamily::rounding,
        .oracle = arb,
        .checks = {{.unit = "ulp", .bound = 1.0, .reason = once, .resolution = 1.0}},
        .mutants = {{"shape/stone.hpp", "formula::measured_sphere_offset(Wide(outer_width), h, b)",
@@ -244,7 +244,7 @@ std::vector<Claim> accuracy_claims() {
        .statement =
            "The minor radius r₂ keeps its digits on thin stones, where the talk's difference form loses all of them.",
        .function = "formula::bevel",
-       .family = OracleFamily::independent,
+       .family = OracleFamily::rounding,
        .oracle = arb,
        .checks = {{.unit = "ulp", .bound = 1.0, .reason = once, .resolution = 1.0}},
        .mutants = {{"shape/bevel.hpp", "T(sphere_radius * (bevel_height / T(2)) / joint_offset)",
@@ -253,7 +253,7 @@ std::vector<Claim> accuracy_claims() {
       {.id = "SHAPE-5",
        .statement = "The finished stone's width 2(r₁ + r₂) is right to two ulps, as published and as measured.",
        .function = "outer_width",
-       .family = OracleFamily::independent,
+       .family = OracleFamily::rounding,
        .oracle = arb,
        .checks = {{.unit = "ulp",
                    .bound = 2.0,
@@ -265,7 +265,7 @@ std::vector<Claim> accuracy_claims() {
        .statement = "Volume, area, moments and moments per mass of a sharp lens are right to four ulps, float and "
                     "double; all but the area to two.",
        .function = "mass_properties, sharp",
-       .family = OracleFamily::independent,
+       .family = OracleFamily::rounding,
        .oracle = arb,
        .checks = {{.unit = "ulp",
                    .bound = 4.0,
@@ -278,7 +278,7 @@ std::vector<Claim> accuracy_claims() {
            "Volume, area, moments and moments per mass of a bevelled stone are right to eight ulps, float and double, "
            "in both parametrisations.",
        .function = "mass_properties, bevelled",
-       .family = OracleFamily::independent,
+       .family = OracleFamily::rounding,
        .oracle = arb,
        .checks =
            {{.unit = "ulp",

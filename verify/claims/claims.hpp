@@ -18,6 +18,11 @@ namespace goishi::verify {
 [[nodiscard]] std::vector<Claim> law_claims();               // LAW: limits, scaling, sandwich, Steiner
 [[nodiscard]] std::vector<Claim> tensor_claims();            // TENSOR: frames, points, principal axes
 [[nodiscard]] std::vector<Claim> domain_stone_claims();      // DOMAIN: shape, mass and surface of stones of any size
+[[nodiscard]] std::vector<Claim> domain_board_claims();      // DOMAIN: boards, their regions, rays at them
+[[nodiscard]] std::vector<Claim> domain_ray_claims();        // DOMAIN: rays at stones
+[[nodiscard]] std::vector<Claim> domain_tensor_claims();     // DOMAIN: principal axes
+[[nodiscard]] std::vector<Claim> domain_batch_claims();      // DOMAIN: gaps of many stones to a plane
+[[nodiscard]] std::vector<Claim> domain_steppers_claims();   // DOMAIN: steps of every scheme, and invariants
 [[nodiscard]] std::vector<Claim> domain_motion_claims();     // DOMAIN: flights of any size and length
 [[nodiscard]] std::vector<Claim> domain_impact_claims();     // DOMAIN: impacts of any size
 [[nodiscard]] std::vector<Claim> table_claims();             // TABLE: the generated inertia table, certified

@@ -169,8 +169,7 @@ Long greatest(const Stone<T>& stone, const FlightPath<T>& path) {
 /// The powers of two that a scene may be larger by, its lengths still being those of stones (`require_length`).
 template <class T>
 std::pair<int, int> sizes_taken(const Scene<T>& scene) {
-  const T least = std::sqrt(std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon());
-  const T most = std::sqrt(std::numeric_limits<T>::max()) / T(16);
+  const auto [least, most] = length_range<T>();
   const T thin = std::min(scene.stone.height, scene.other.height);
   const T round = std::max(scene.stone.sphere_radius, scene.other.sphere_radius);
   return {std::max(-span<T>, std::ilogb(least / thin) + 2), std::min(span<T>, std::ilogb(most / round) - 1)};

@@ -85,9 +85,6 @@ Impulse<T> impulse_of(const Met<T>& met, ImpactLaw law) {
                  : resolve(law, met.material, met.p_WC, met.n_W, met.first).impulse;
 }
 
-template <class T>
-constexpr double epsilon_in = static_cast<double>(std::numeric_limits<T>::epsilon());
-
 /// Of impulses: how they differ, where a round-off of the velocities at the contact counts as what it makes.
 template <class T>
 double allowed(const Meeting& meeting) {

@@ -31,7 +31,7 @@ Top<T> draw_any_top(Context& context, int i) {
                                                  draw_attitude(context.random())};
   Quat<T> q = attitudes[static_cast<std::size_t>(i / 4) % attitudes.size()].template cast<T>().normalized();
   const int defect = unit_defects[static_cast<std::size_t>(i / 3) % unit_defects.size()];
-  q.coeffs() *= T(1) + static_cast<T>(defect) / T(2) * std::numeric_limits<T>::epsilon();
+  q.coeffs() *= defective<T>(defect);
   const std::array<Vec3<T>, 4> spins = {Vec3<T>(T(0), T(0), T(1)), Vec3<T>(T(0), T(1), T(0)), Vec3<T>(T(0), T(0), T(0)),
                                         draw_attitude(context.random()).template cast<T>() * Vec3<T>(T(1), T(0), T(0))};
   const T time = any_size<T>(context.random(), single ? 8.0 : 60.0);
@@ -192,7 +192,7 @@ std::vector<Claim> domain_motion_claims() {
                     "off by ± 60 ε, "
                     "in each rounding mode: right to round-off; what overflows is refused.",
        .function = "free_flight",
-       .family = OracleFamily::independent,
+       .family = OracleFamily::rounding,
        .oracle = "the formula, which FLIGHT-3 shows right, in 113 bits; the parabola",
        .checks = {{.unit = "ε (1 + phase)",
                    .bound = 16.0,

@@ -12,34 +12,11 @@
 #include "verify/claims/claims.hpp"
 #include "verify/domain_samples.hpp"
 #include "verify/oracles/multiprecision.hpp"
-#include "verify/samples.hpp"
 #include "verify/ulps.hpp"
 
 namespace goishi::verify {
 
 namespace {
-
-template <class T>
-constexpr double reach_of = std::numeric_limits<T>::digits < 30 ? 18.0 : 150.0;
-template <class T>
-constexpr double epsilon_in = static_cast<double>(std::numeric_limits<T>::epsilon());
-
-/// Widths of any size, denormal ones too; heights down to nothing of it, or in the strata of `draw_shape`, whose ball,
-/// near-ball and bevels up to the height are exact.
-template <class T>
-ShapeSample<T> draw_any_shape(Context& context, int i) {
-  ShapeSample<T> shape = draw_shape<T>(context.random(), i);
-  const T size =
-      i % 50 == 49 ? std::numeric_limits<T>::denorm_min() * T(1000) : any_size<T>(context.random(), reach_of<T>);
-  shape.width *= size;
-  shape.height *= size;
-  shape.bevel = i % 4 == 0 ? T(0) : shape.bevel * size;
-  if (i % 6 == 5) {
-    shape.height = std::min(shape.width, any_size<T>(context.random(), reach_of<T>));
-    shape.bevel = std::min(shape.bevel, shape.height / T(2));
-  }
-  return shape;
-}
 
 template <class T>
 std::vector<std::pair<const char*, T>> lengths(const Stone<T>& stone) {
@@ -127,7 +104,7 @@ Measurement masses_of(Context& context, Worst& worst, int count) {
     if (!stone) {
       continue;
     }
-    const T given = any_size<T>(context.random(), i % 2 == 0 ? 4.0 : reach_of<T>);
+    const T given = any_size<T>(context.random(), i % 2 == 0 ? 4.0 : size_reach<T>);
     const int mode = rounding_modes[static_cast<std::size_t>(i / 5) % rounding_modes.size()];
     const bool by_mass = i % 2 == 1;
     const auto weigh = [&](const auto& of, const auto& value) {
@@ -153,32 +130,15 @@ Measurement measure_masses(Context& context) {
   return masses_of<float>(context, worst, context.samples(4000, 20'000));
 }
 
-/// Attitudes whose zeros are exact, and any, as far off the unit sphere as is let through.
-template <class T>
-Quat<T> draw_defective(Context& context, int i) {
-  Quat<T> q(T(1), T(0), T(0), T(0));
-  if (i % 4 == 1) {
-    const T root = std::sqrt(T(1) / T(2));
-    q = Quat<T>(root, T(0), root, T(0));
-  } else if (i % 4 == 2) {
-    q = Quat<T>(T(0.5), T(-0.5), T(0.5), T(0.5));
-  } else if (i % 4 == 3) {
-    q = draw_attitude(context.random()).template cast<T>().normalized();
-  }
-  const int defect = unit_defects[static_cast<std::size_t>(i / 4) % unit_defects.size()];
-  q.coeffs() *= T(1) + static_cast<T>(defect) / T(2) * std::numeric_limits<T>::epsilon();
-  return q;
-}
-
 template <class T>
 Measurement tensors_of(Context& context, Worst& worst, int count) {
   for (int i = 0; i < count; ++i) {
     MassProperties<T> body;
-    body.mass = any_size<T>(context.random(), reach_of<T>);
-    body.moments.transverse = any_size<T>(context.random(), reach_of<T>);
+    body.mass = any_size<T>(context.random(), size_reach<T>);
+    body.moments.transverse = any_size<T>(context.random(), size_reach<T>);
     body.moments.axial = body.moments.transverse * static_cast<T>(context.uniform(0.01, 2.0));
     const Quat<T> q = draw_defective<T>(context, i);
-    const T away = i % 5 == 0 ? T(0) : any_size<T>(context.random(), reach_of<T>);
+    const T away = i % 5 == 0 ? T(0) : any_size<T>(context.random(), size_reach<T>);
     const Vec3<T> p(away, i % 3 == 0 ? T(0) : -away, static_cast<T>(context.uniform(-1.0, 1.0)) * away);
     MassProperties<Digits50> wide;
     wide.mass = Digits50(body.mass);
@@ -220,16 +180,18 @@ Measurement surfaces_of(Context& context, Worst& worst, int count) {
     const Stone<Digits50> wide = stone_cast<Digits50>(*stone);
     const auto draw = [&] { return static_cast<T>(context.uniform(-1.0, 1.0)); };
     const T zero(0), half = stone->width / T(2);
-    // The centre, the axis, the rim, its plane, the cap, to the bit; anywhere, from far in it to far out.
-    const T far = half * any_size<T>(context.random(), i % 2 == 0 ? 1.0 : i % 5 == 0 ? 1.2 * reach_of<T> : 10.0);
-    const std::array<Vec3<T>, 8> points = {Vec3<T>(zero, zero, zero),
+    // The centre, the axis, the rim, its plane, the cap, to the bit, and next to the rim; anywhere, from far in it to far out.
+    const T far = half * any_size<T>(context.random(), i % 2 == 0 ? 1.0 : i % 5 == 0 ? 1.2 * size_reach<T> : 10.0);
+    const T next = stone->width * any_size<T>(context.random(), 1.0) * std::numeric_limits<T>::epsilon();
+    const std::array<Vec3<T>, 9> points = {Vec3<T>(zero, zero, zero),
                                            Vec3<T>(zero, zero, far),
                                            Vec3<T>(stone->bevel_major_radius, zero, zero),
                                            Vec3<T>(zero, -half, zero),
                                            Vec3<T>(far, zero, zero),
                                            Vec3<T>(zero, zero, -stone->height / T(2)),
                                            Vec3<T>(far * draw(), far * draw(), far * draw()),
-                                           Vec3<T>(far, far * draw(), std::numeric_limits<T>::denorm_min())};
+                                           Vec3<T>(far, far * draw(), std::numeric_limits<T>::denorm_min()),
+                                           Vec3<T>(T(0), stone->bevel_major_radius + next, next)};
     const int mode = rounding_modes[static_cast<std::size_t>(i / 8) % rounding_modes.size()];
     const Vec3<T>& p = points[static_cast<std::size_t>(i) % points.size()];
     const auto describe_point = [&] {
@@ -250,14 +212,15 @@ Measurement surfaces_of(Context& context, Worst& worst, int count) {
                                          .norm()));
       }
       worst.see(static_cast<double>(Digits50(off / size)), epsilon_in<T>, describe_point);
+      worst.see(std::fabs(static_cast<double>(Digits50(answer->normal_B.template cast<Digits50>().squaredNorm() - 1))),
+                2.0 * epsilon_in<T>, [&] { return "normal: " + describe_point(); });
     }
     // Directions: along axes to the bit, any, off the unit sphere.
     const std::array<Vec3<T>, 4> directions = {Vec3<T>(zero, zero, T(1)), Vec3<T>(T(-1), zero, zero),
                                                Vec3<T>(stone->joint_cosine, zero, stone->joint_sine).normalized(),
                                                Vec3<T>(draw(), draw(), draw()).normalized()};
     const int defect = unit_defects[static_cast<std::size_t>(i / 4) % unit_defects.size()];
-    const Vec3<T> n = (T(1) + static_cast<T>(defect) / T(2) * std::numeric_limits<T>::epsilon()) *
-                      directions[static_cast<std::size_t>(i) % directions.size()];
+    const Vec3<T> n = defective<T>(defect) * directions[static_cast<std::size_t>(i) % directions.size()];
     const auto describe_direction = [&] {
       return fmt::format("{}, n = ({:a}, {:a}, {:a}), mode {}", describe(shape), n.x(), n.y(), n.z(), mode);
     };
@@ -292,7 +255,7 @@ std::vector<Claim> domain_stone_claims() {
            "Stones of any size, 1e±150 m (float: 1e±18), as thin as may be, to the ball, in each rounding mode: right "
            "to 2 ulp, or refused where a length is not one that formulas take.",
        .function = "make_stone, make_measured_stone",
-       .family = OracleFamily::independent,
+       .family = OracleFamily::rounding,
        .oracle = "the same in 50 digits, without a limit of size (judges range and rounding)",
        .checks = {{.unit = "ulp",
                    .bound = 2.0,
@@ -304,7 +267,7 @@ std::vector<Claim> domain_stone_claims() {
       {.id = "DOMAIN-2",
        .statement = "Their mass, volume, area and moments are right, or refused where one of them is no normal number.",
        .function = "mass_properties",
-       .family = OracleFamily::independent,
+       .family = OracleFamily::rounding,
        .oracle = "the same in 50 digits, without a limit of size (judges range and rounding)",
        .checks = {{.unit = "ulp",
                    .bound = 12.0,
@@ -319,7 +282,7 @@ std::vector<Claim> domain_stone_claims() {
                     "|q|² off by "
                     "± 60 ε, in each rounding mode; or refused where it overflows.",
        .function = "inertia_tensor",
-       .family = OracleFamily::independent,
+       .family = OracleFamily::rounding,
        .oracle = "the same in 50 digits at q/|q|",
        .checks = {{.unit = "ε trace",
                    .bound = 12.0,
@@ -334,14 +297,15 @@ std::vector<Claim> domain_stone_claims() {
            "its "
            "plane to the bit, far away, in each rounding mode; or refused where the square of the point overflows.",
        .function = "closest_point, support",
-       .family = OracleFamily::independent,
+       .family = OracleFamily::rounding,
        .oracle = "the same in 50 digits on the same stone; the point against its own distance and normal",
        .checks = {{.unit = "ε of the greater of width and |p|",
                    .bound = 16.0,
                    .reason =
                        "SURFACE-1 and SURFACE-2 have 5; rounding that is not to the nearest errs by twice as much",
                    .resolution = 1.0}},
-       .mutants = {{"shape/surface.hpp", "std::numeric_limits<T>::max() / T(4)", "std::numeric_limits<T>::infinity()"}},
+       .mutants = {{"shape/surface.hpp", "std::numeric_limits<T>::max() / T(4)", "std::numeric_limits<T>::infinity()"},
+                   {"shape/surface.hpp", "square < least_square<T>", "square < T(0)"}},
        .measure = measure_surfaces},
   };
 }

@@ -379,7 +379,7 @@ std::vector<Claim> elliptic_claims() {
            "In float and double the attitude is right to round-off: bricks, laminas, rods, nearly round bodies, up "
            "to 10⁴ rad, and from 1e-300 beside the axes; as long as the start's own errors grow by less than 1e6.",
        .function = "elliptic_flight",
-       .family = OracleFamily::exact,
+       .family = OracleFamily::rounding,
        .oracle = "the same closed form in 113 bits (judges rounding)",
        .checks = {{.unit = "ε(1 + turned)(1 + growth/1000)",
                    .bound = 4.0,

@@ -103,7 +103,7 @@ std::vector<Claim> enclosure_claims() {
       {.id = "ENCLOSURE-1",
        .statement = "The formulas on balls meet the formulas in 50 digits, over the whole domain.",
        .function = "goishi::formula, every scalar",
-       .family = OracleFamily::independent,
+       .family = OracleFamily::rounding,
        .oracle = "Boost.Multiprecision, 50 digits, ± 1e-45 for its own roundings",
        .checks = {{.unit = "enclosures missed",
                    .bound = 0.0,
@@ -113,7 +113,7 @@ std::vector<Claim> enclosure_claims() {
       {.id = "ENCLOSURE-2",
        .statement = "The enclosures are narrow: no formula cancels, over the whole domain.",
        .function = "goishi::formula on Arb balls",
-       .family = OracleFamily::exact,
+       .family = OracleFamily::rounding,
        .oracle = "the balls' own radii",
        .checks =
            {{.unit = "relative radius",

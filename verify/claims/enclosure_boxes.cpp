@@ -183,7 +183,7 @@ std::vector<Claim> enclosure_box_claims() {
            "lengths r, d, r₁, r₂, r − r₂, P_x and the joint's cosine and sine are positive; d of the measured stone, "
            "too.",
        .function = "goishi::formula on boxes of balls",
-       .family = OracleFamily::exact,
+       .family = OracleFamily::proof,
        .oracle = boxes,
        .checks = {{.unit = "boxes not proved or given up", .bound = 0.0, .reason = reason, .counts = true}},
        .mutants = {{"shape/bevel.hpp", "T(2) * sphere_offset + (height + bevel_height)",
@@ -216,7 +216,7 @@ std::vector<Claim> enclosure_box_claims() {
        .statement =
            "For every stone with w/h from 5/4 to 3.5 (quick tier: to 1.3) and b/h from 0.08 to 7/8, I_a < 2 I_t.",
        .function = "formula::bevelled_moments on boxes of balls",
-       .family = OracleFamily::exact,
+       .family = OracleFamily::proof,
        .oracle = boxes,
        .checks = {{.unit = "boxes not proved or given up",
                    .bound = 0.0,

@@ -248,7 +248,7 @@ std::vector<Claim> enclosure_branch_claims() {
            "Whole functions on balls (stones sharp, bevelled and measured; mass, tensor; support, closest point, gap; "
            "free flight) meet themselves in 50 digits, each of their choices proved by the balls and each made.",
        .function = "make_stone, mass_properties, inertia_tensor, support, closest_point, separation, free_flight",
-       .family = OracleFamily::independent,
+       .family = OracleFamily::rounding,
        .oracle = "Boost.Multiprecision, 50 digits, ± 1e-40 (1 + |x|) for its own roundings",
        .checks = {{.unit = "enclosures missed, choices not proved or never made",
                    .bound = 0.0,
@@ -258,7 +258,7 @@ std::vector<Claim> enclosure_branch_claims() {
       {.id = "ENCLOSURE-4",
        .statement = "These enclosures are narrow, over the whole domain.",
        .function = "the same, on balls",
-       .family = OracleFamily::exact,
+       .family = OracleFamily::rounding,
        .oracle = "the balls' own radii",
        .checks = {{.unit = "of the value's scale",
                    .bound = 1e-74,

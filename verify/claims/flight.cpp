@@ -185,7 +185,7 @@ std::vector<Claim> flight_claims() {
        .statement = "The attitude after any free flight is right within round-off: to 1e9 rad, at 1e-6 to 1000 rad/s, "
                     "forwards and backwards, stones, near the ball, thin, and needles to I_a = I_t/1000.",
        .function = "free_flight",
-       .family = OracleFamily::independent,
+       .family = OracleFamily::rounding,
        .oracle = "every catalogue stone: Odeint on the raw Newton–Euler equations; all others: the formula, which "
                  "FLIGHT-3 shows right, in 34 digits",
        .checks =
@@ -278,7 +278,7 @@ std::vector<Claim> flight_claims() {
       {.id = "BATCH-1",
        .statement = "Every stone of a batch flies as it would alone, whatever its lane and the batch's size.",
        .function = "StoneBatch::fly",
-       .family = OracleFamily::metamorphic,
+       .family = OracleFamily::rounding,
        .oracle =
            "free_flight of the same stone, and the formula, which FLIGHT-3 shows right, in 34 digits; the parabola",
        .checks = {{.unit = "ε (1 + phase)",

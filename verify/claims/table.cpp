@@ -125,7 +125,7 @@ std::vector<Claim> table_claims() {
        .statement = "Every entry of the inertia table is the double nearest to the exact value; the enclosure leaves "
                     "no other possible.",
        .function = "inertia_table",
-       .family = OracleFamily::independent,
+       .family = OracleFamily::rounding,
        .oracle = arb,
        .checks = {{.unit = "entries not proved",
                    .bound = 0.0,
@@ -143,7 +143,7 @@ std::vector<Claim> table_claims() {
       {.id = "TABLE-3",
        .statement = "What mass_properties computes from the dimensions in double agrees with the certified table.",
        .function = "mass_properties",
-       .family = OracleFamily::independent,
+       .family = OracleFamily::rounding,
        .oracle = "the certified table",
        .checks =
            {{.unit = "relative",

@@ -42,7 +42,7 @@ std::string html_report(const Run& run, const std::vector<Section>& sections, co
   std::string out = head(verdict);
   out += fmt::format("<p class=\"verdict {}\">{} {}</p>\n", good ? "good" : "bad", page::mark(good), verdict);
   out += page::failures(run) + page::stamp(run.stamp, run.seconds, page::Seed::shown) + "</header>\n<main>\n" +
-         page::how_to_read(derivations) + page::overview(run);
+         page::how_to_read(run, derivations) + page::overview(run);
   for (const Section& section : sections) {
     out += page::section(section);
   }

@@ -72,26 +72,28 @@ std::string failures(const Run& run) {
   return out + "</ul>\n";
 }
 
-std::string how_to_read(const std::string& derivations) {
+std::string how_to_read(const Run& run, const std::string& derivations) {
   const std::string proofs = derivations.empty()
                                  ? ""
                                  : fmt::format(
                                        "\n<p>The claims measure. That the formulas are right for all values is proved: "
                                        "<a href=\"{}\">the derivations</a>.</p>",
                                        xml(derivations));
+  const auto rounding = std::ranges::count_if(
+      run.results, [](const Result& result) { return result.claim->family == OracleFamily::rounding; });
   return fmt::format(
       "<section class=\"how\">\n<h2>How to read this</h2>\n"
-      "<p>Each claim is a sentence about the library, judged by an oracle: a witness that shares "
-      "no "
-      "formula with the code that it judges. <b>Error</b> is the worst difference that was found. "
-      "<b>Bound</b> is the greatest error with which the claim still holds, and each bound has a "
-      "reason. <b>Slack</b> is bound over error, and an error below the resolution of the quantity "
-      "counts as that resolution: at 1 the error reaches the bound, and over {0} the bound guards "
-      "nothing, so that the claim fails. An error that is not a number fails. A claim of several checks holds if each "
-      "does, "
-      "and is shown by its weakest, the one whose error comes nearest to its bound. The bar shows the "
-      "slack from 1 to {0} on a logarithmic scale. Each id leads to the details.</p>{1}\n</section>\n",
-      plain_number(greatest_slack), proofs);
+      "<p>Each claim is a sentence about the library, judged by an oracle: a witness that shares no formula with the "
+      "code. Of {2} of the {3} claims the witness is the same formula in more digits: they judge its rounding and its "
+      "range, others that it is right. <b>Error</b> is the worst difference that was found. <b>Bound</b> is the "
+      "greatest error with which a check still holds, and each bound has a reason. <b>Slack</b> is bound over error, "
+      "and an error below the resolution of the quantity counts as that resolution: at 1 the error reaches the bound, "
+      "and over {0} the bound guards nothing, so that the check fails. An error that is not a number fails. In the "
+      "full tier each check also says how small an error of the values it still sees; one that sees none fails, "
+      "unless it says that it counts. A claim of several checks holds if each does, and is shown by its weakest, the "
+      "one whose error comes nearest to its bound. The bar shows the slack from 1 to {0} on a logarithmic scale. Each "
+      "id leads to the details.</p>{1}\n</section>\n",
+      plain_number(greatest_slack), proofs, rounding, run.results.size());
 }
 
 namespace {
@@ -100,9 +102,10 @@ std::string row(const Result& result) {
   const Claim& claim = *result.claim;
   const Checked weakest = result.weakest();
   const Judged shown = judged(weakest);
-  const std::string check = claim.checks.size() < 2 ? ""
-                                                    : fmt::format(" <span class=\"check\">{} of {} checks</span>",
-                                                                  xml(weakest.check.name), claim.checks.size());
+  const std::string check = claim.checks.size() < 2
+                                ? ""
+                                : fmt::format(" <span class=\"check\">Weakest of {} checks: {}.</span>",
+                                              claim.checks.size(), xml(weakest.check.name));
   return fmt::format(
       "<tr{}>\n<td class=\"verdict-mark\">{}</td>\n"
       "<th scope=\"row\"><a href=\"#{}\">{}</a></th>\n<td class=\"statement\">{}</td>\n"

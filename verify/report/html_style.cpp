@@ -26,6 +26,7 @@ h1 { margin: 0; font-size: 1.75rem; line-height: 1.2; letter-spacing: -0.01em; }
 h1 span { display: block; color: var(--soft); font-size: 1rem; font-weight: 400; letter-spacing: 0; }
 h2 { margin: 2.75rem 0 0.75rem; font-size: 1.25rem; line-height: 1.3; }
 h3 { margin: 0; font-size: 1rem; }
+h4 { margin: 1rem 0 0.3rem; font-size: 0.9375rem; }
 .emblem { float: left; margin: 0.1rem 1rem 0 0; }
 .shell { fill: #ffffff; }
 .slate { fill: #101216; }
@@ -58,7 +59,7 @@ h3 { margin: 0; font-size: 1rem; }
 .overview .verdict-mark { width: 1.5rem; padding-right: 0; }
 .overview .unit { display: block; font-size: 0.8125rem; white-space: normal; }
 .overview .bar { display: block; margin: 0.2rem 0 0 auto; }
-.overview .time { color: var(--soft); }
+.overview .time, .overview .check { color: var(--soft); }
 .overview tr.failed { background: var(--bad-tint); }
 .bar { vertical-align: middle; margin-left: 0.5em; }
 .bar .track { fill: var(--track); }

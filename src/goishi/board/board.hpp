@@ -56,6 +56,8 @@ template <Ordered T>
     require(T(0) < half, argument, border, "must be positive on a board with one line");
     require(scalar::is_finite(half), argument, border, "must leave the board a finite size");
   };
+  const T height = dimensions.thickness + dimensions.legs;
+  require(scalar::is_finite(height), "legs", dimensions.legs, "must leave the board a finite height over the floor");
   require_half("border_x", dimensions.border_x, half_width);
   require_half("border_y", dimensions.border_y, half_length);
   return {.lines = dimensions.lines,
@@ -64,17 +66,28 @@ template <Ordered T>
           .half_width = half_width,
           .half_length = half_length,
           .thickness = dimensions.thickness,
-          .floor = -(dimensions.thickness + dimensions.legs)};
+          .floor = -height};
 }
+
+namespace detail {
+
+template <Ordered T>
+void require_board(const Board<T>& board) {
+  require(T(0) < board.half_width && T(0) < board.half_length, "board", board.half_width,
+          "must be one of make_board (its half width is shown)");
+}
+
+}  // namespace detail
 
 /// The point where line i along x and line j along y cross, counted from 0 at the lower left; in W, on the surface.
 /// Domain  0 <= i, j < lines, else InvalidArgument.
+/// Error   one rounding; of as many lines as T does not count, two (DOMAIN-9).
 template <Ordered T>
 [[nodiscard]] Vec3<T> intersection(const Board<T>& board, int i, int j) {
   require(0 <= i && i < board.lines, "i", i, "must be a line of the board (0 … ", board.lines - 1, ")");
   require(0 <= j && j < board.lines, "j", j, "must be a line of the board (0 … ", board.lines - 1, ")");
   const auto place = [&](int line, const T& spacing) {
-    return T(static_cast<T>(2 * line - (board.lines - 1)) / T(2) * spacing);
+    return T(static_cast<T>(line - (board.lines - 1 - line)) / T(2) * spacing);  // no sum that an int does not hold
   };
   return {place(i, board.spacing_x), place(j, board.spacing_y), T(0)};
 }
@@ -117,9 +130,15 @@ enum class Region { primary, left, right, bottom, top, bottom_left, bottom_right
 }
 
 /// The region of a body whose centre is at p_W and which lies within `reach` of it. x goes from left to right, y from
-/// bottom to top.   Domain  finite p, reach >= 0.
+/// bottom to top.
+///
+/// Domain  a board of `make_board`, finite p, a finite reach >= 0; else InvalidArgument.
+/// Error   none but where the centre is within round-off of a region's border (DOMAIN-9).
 template <Ordered T>
 [[nodiscard]] Region region_of(const Board<T>& board, const Vec3<T>& p_W, const T& reach) {
+  detail::require_board(board);
+  require(scalar::is_finite(T(p_W.x() + p_W.y() + p_W.z())), "position", p_W.transpose(), "must be finite");
+  require(T(0) <= reach && scalar::is_finite(reach), "reach", reach, "must be finite and at least 0");
   const T x = p_W.x() < T(0) ? T(-p_W.x()) : p_W.x();
   const T y = p_W.y() < T(0) ? T(-p_W.y()) : p_W.y();
   if (board.half_width + reach < x || board.half_length + reach < y || reach < p_W.z()) {

@@ -52,10 +52,12 @@ struct BoardCrossing {
 /// Entry, exit and the first hit ahead of a ray. A ray within a face meets the board; one that meets two faces at once
 /// is said to hit one of them.
 ///
-/// Domain  a finite start, a unit direction within `unit_tolerance`, a board of `make_board`; else InvalidArgument.
-/// Error   entry and exit: a difference and a quotient, each rounded once. The hit lies on its face exactly.
+/// Domain  a finite start, a unit direction within `unit_tolerance`, a board of `make_board`, entry and exit that T can
+///         hold; else InvalidArgument.
+/// Error   entry and exit: a difference and a quotient, each rounded once. The hit lies on its face exactly (DOMAIN-10).
 template <Ordered T>
 [[nodiscard]] BoardRayHit<T> cast_ray(const Board<T>& board, const Vec3<T>& p_W, const Vec3<T>& u_W) {
+  detail::require_board(board);
   require(scalar::is_finite(T(p_W.x() + p_W.y() + p_W.z())), "start", p_W.transpose(), "must be finite");
   const T defect = u_W.squaredNorm() - T(1);
   require(defect < unit_tolerance<T>() && -unit_tolerance<T>() < defect, "direction", u_W.norm(),
@@ -85,6 +87,8 @@ template <Ordered T>
   if (exit.t < entry.t) {
     return result;
   }
+  require(scalar::is_finite(entry.t) && scalar::is_finite(exit.t), "start", p_W.transpose(),
+          "must not be so far that the way to the board is no number");
   result.hit = true;
   result.entry = entry.t;
   result.exit = exit.t;

@@ -7,6 +7,7 @@
 #include <experimental/simd>
 #include <goishi/contact/stone_plane.hpp>
 #include <goishi/error.hpp>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -44,10 +45,13 @@ class PlaneBatch {
 
   [[nodiscard]] std::size_t size() const { return count_; }
 
-  /// Domain  a finite pose with a unit attitude; index below `size()`; else InvalidArgument.
+  /// Domain  a pose with a unit attitude, its |x| + |y| + |z| below a quarter of the greatest number; a stone of `make_stone`;
+  ///         index below `size()`; else InvalidArgument.
   void set(std::size_t index, const Stone<T>& stone, const Pose<T>& pose) {
     require(index < count_, "index", index, "must be below the number of stones (", count_, ")");
     const detail::Placed<T> placed = detail::place(stone, pose);
+    require(placed.p_W.cwiseAbs().sum() < most, "position", pose.p_WB.transpose(),
+            "must not be so far that a gap is no number");
     Group& group = groups_[index / lanes];
     const std::size_t lane = index % lanes;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -64,11 +68,13 @@ class PlaneBatch {
 
   /// The gap of every stone   [m], as `separation` gives it.
   ///
-  /// Domain  a unit normal, a finite offset, room for `size()` gaps; else InvalidArgument.
-  /// Error   as `separation`'s. The last bits differ: a batch adds up its three products in another order.
+  /// Domain  a unit normal, an offset below a quarter of the greatest number, room for `size()` gaps; else InvalidArgument.
+  /// Error   as `separation`'s. The last bits differ: a batch adds up its three products in another order. Stones of any
+  ///         sizes side by side (DOMAIN-13).
   void gaps(const Plane<T>& plane, std::span<T> gaps) const {
     detail::require_direction(plane.n_W);
-    require(scalar::is_finite(plane.offset), "offset", plane.offset, "must be finite");
+    require(-most < plane.offset && plane.offset < most, "offset", plane.offset,
+            "must not be so far that a gap is no number");
     require(gaps.size() == count_, "gaps", gaps.size(), "must have room for each stone (", count_, ")");
     const Lanes n[3] = {plane.n_W.x(), plane.n_W.y(), plane.n_W.z()};
     const Lanes offset(plane.offset);
@@ -85,6 +91,8 @@ class PlaneBatch {
   }
 
  private:
+  static constexpr T most = std::numeric_limits<T>::max() / T(4);
+
   /// Only what a gap needs. Not on Eigen, which would have to know batches.
   struct Group {
     Stone<Lanes> stone;  // its other fields stay NaN

@@ -25,12 +25,6 @@ template <Ordered T>
   return board.half_width * (n.x() < T(0) ? T(-n.x()) : n.x()) + board.half_length * (n.y() < T(0) ? T(-n.y()) : n.y());
 }
 
-template <Ordered T>
-void require_board(const Board<T>& board) {
-  require(T(0) < board.half_width && T(0) < board.half_length, "board", board.half_width,
-          "must be one of make_board (its half width is shown)");
-}
-
 /// Whether a side has to be asked that is `distance` from the stone's centre (< 0: the centre is beyond it), where `gap`
 /// is the greatest separation along any normals without it.
 ///

@@ -16,8 +16,7 @@ namespace goishi::detail {
 /// The run's body as an impact sees it.
 template <Ordered T>
 [[nodiscard]] ImpactBody<T> impact_body(const Run<T>& run) {
-  return {run.mobility, run.state.p_WB, formula::symmetry_axis(formula::reunited(run.state.q_WB)), run.state.v_WB,
-          run.state.L_W};
+  return {run.mobility, run.state.p_WB, symmetry_axis(run.state.q_WB), run.state.v_WB, run.state.L_W};
 }
 
 /// What a run notes of a contact.

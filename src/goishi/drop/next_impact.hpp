@@ -16,7 +16,7 @@ template <Ordered T>
   path.p_W = state.p_WB;
   path.v_W = state.v_WB;
   path.a_W = gravity;
-  path.u_W = formula::symmetry_axis(formula::reunited(state.q_WB));
+  path.u_W = symmetry_axis(state.q_WB);
   const T square = formula::dot(state.L_W, state.L_W);
   // So small that its square has lost digits, it turns nothing.
   if (std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon() < square) {

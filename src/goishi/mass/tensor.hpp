@@ -103,18 +103,21 @@ void require_physical(const Moments<T>& moments) {
 
 /// Principal axes back from the full tensor, by Eigen's symmetric solver.
 ///
-/// Domain  symmetric, positive definite, triangle inequality (within round-off), else InvalidArgument.
+/// Domain  of any size (DOMAIN-12), its trace finite; symmetric, positive definite, triangle inequality (within round-off);
+///         else InvalidArgument.
 /// Error   moments <= 24 ε trace, R a rotation to 24 ε (claim TENSOR-4). A body so far from the point that its least moment
 ///         is below that is refused: take the tensor about a nearer point.
 template <Ordered T>
 [[nodiscard]] PrincipalAxes<T> principal_axes(const Mat3<T>& tensor) {
   const T trace = tensor.trace();
-  const T asymmetry = (tensor - tensor.transpose()).cwiseAbs().maxCoeff();
   require(T(0) < trace && scalar::is_finite(trace), "tensor", trace, "must have a positive, finite trace (shown)");
-  require(asymmetry <= T(16) * std::numeric_limits<T>::epsilon() * trace, "tensor", asymmetry,
-          "must be symmetric (largest difference shown)");
   // Scaled to trace 1, so that moments of any unit neither overflow nor underflow in the solver.
-  const Eigen::SelfAdjointEigenSolver<Mat3<T>> solver(Mat3<T>((tensor + tensor.transpose()) / (T(2) * trace)));
+  const Mat3<T> scaled = tensor / trace;
+  require(scalar::is_finite(T(scaled.sum())), "tensor", trace, "must be finite (its trace is shown)");
+  const T asymmetry = (scaled - scaled.transpose()).cwiseAbs().maxCoeff();
+  require(asymmetry <= T(16) * std::numeric_limits<T>::epsilon(), "tensor", asymmetry,
+          "must be symmetric (largest difference shown, in units of the trace)");
+  const Eigen::SelfAdjointEigenSolver<Mat3<T>> solver(Mat3<T>((scaled + scaled.transpose()) / T(2)));
   PrincipalAxes<T> result{.moments = Vec3<T>(solver.eigenvalues() * trace), .R_WP = solver.eigenvectors()};
   const char* broken = broken_inertia_rule(result.moments);
   require(broken == nullptr, "tensor", result.moments.minCoeff(), broken, " (least moment shown)");

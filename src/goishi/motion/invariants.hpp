@@ -20,6 +20,9 @@ template <Field T>
   return {T(0), T(0), T(-g)};
 }
 
+// Formulas, without checks: right to round-off for attitudes of length 1, and as much more as |q|² is off, where v², g · p,
+// L/I and what is asked for are numbers that T can hold (DOMAIN-15).
+
 namespace formula {
 
 /// Energy of rotation   [J]: ½ L_B · I⁻¹ L_B.
@@ -65,7 +68,7 @@ template <Field T>
 /// Every invariant of the result is the invariant in V.   Proof  derivations/free_flight.cpp.
 template <Field T>
 [[nodiscard]] State<T> seen_from(const Vec3<T>& p_WV, const Quat<T>& q_WV, const Vec3<T>& v_WV, const State<T>& state) {
-  const Quat<T> q_VW = q_WV.conjugate();
+  const Quat<T> q_VW = formula::reunited(q_WV).conjugate();  // so that what it is off is not added to what q_WB is
   return {.p_WB = q_VW * Vec3<T>(state.p_WB - p_WV),
           .q_WB = q_VW * state.q_WB,
           .v_WB = q_VW * Vec3<T>(state.v_WB - v_WV),

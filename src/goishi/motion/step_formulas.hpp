@@ -84,8 +84,8 @@ template <Field T>
 template <Field T>
 [[nodiscard]] Vec3<T> midpoint_residual(const Vec3<T>& middle, const Vec3<T>& start, const Vec3<T>& inverse_moments,
                                         const T& dt) {
-  const Vec3<T> w = middle.cwiseProduct(inverse_moments);
-  return middle - start - dt / T(2) * middle.cross(w);
+  const Vec3<T> half_turn = dt / T(2) * Vec3<T>(middle.cwiseProduct(inverse_moments));
+  return middle - start - middle.cross(half_turn);
 }
 
 /// Its derivative with respect to m: 1 − (Δt/2) ([m]× I⁻¹ − [I⁻¹ m]×).   Proof  derivations/steppers.cpp.

@@ -106,8 +106,8 @@ struct Stepped {
 template <Ordered T>
 class Stepper {
  public:
-  /// Domain  one of the nine schemes; a body of `make_rigid_body`; one with I_x = I_y if the scheme needs symmetry; finite gravity; else
-  ///         InvalidArgument.
+  /// Domain  one of the nine schemes; a body of `make_rigid_body`; one with I_x = I_y if the scheme needs symmetry; finite gravity and
+  ///         inverse moments; else InvalidArgument.
   Stepper(Scheme scheme, const RigidBody<T>& body, const Vec3<T>& gravity = gravity_W<T>(),
           Freedom freedom = Freedom::both)
       : scheme_(scheme),
@@ -115,6 +115,8 @@ class Stepper {
         inverse_moments_(body.moments.cwiseInverse()),
         gravity_(gravity),
         freedom_(freedom) {
+    require(scalar::is_finite(T(inverse_moments_.sum())), "moments", body.moments.transpose(),
+            "must not be so small that their inverses are no numbers");
     require(Scheme::published <= scheme && scheme <= Scheme::exact, "scheme", static_cast<int>(scheme),
             "must be one of the nine");
     require(scalar::is_finite(T(gravity.sum())), "gravity", gravity.norm(), "must be finite");
@@ -130,7 +132,9 @@ class Stepper {
 
   /// `steps` steps of `dt`, or fewer if one fails (see the status). Runge–Kutta integrates the momentum in B beside the
   /// attitude and carries it from step to step of one call; the other schemes have no memory.
-  /// Domain  a finite state with a unit attitude; dt > 0 and finite; steps >= 0; else InvalidArgument.
+  /// Domain  a finite state with a unit attitude; dt > 0 and finite; steps >= 0; else InvalidArgument. Of bodies of any size
+  ///         (DOMAIN-14): what overflows on the way, Δt/I too, is a status.
+  /// Error   of a step: the scheme's own, round-off, and as much of the angle as |q|² is off.
   [[nodiscard]] Stepped<T> advance(const State<T>& start, const T& dt, std::int64_t steps) const {
     require_state(start);
     require_positive("step", dt);
@@ -234,7 +238,7 @@ class Stepper {
                     : StepStatus::not_converged;
     } else if constexpr (scheme == Scheme::runge_kutta_4) {
       const formula::RotorNumbers<T> next = formula::raw_runge_kutta_4_step<T>(
-          {q.w(), q.x(), q.y(), q.z(), L_B.x(), L_B.y(), L_B.z()}, inverse_moments_, dt);
+          {q.w(), q.x(), q.y(), q.z(), L_B.x(), L_B.y(), L_B.z()}, Vec3<T>(dt * inverse_moments_), T(1));
       const T square = scalar::sq(next.w) + scalar::sq(next.x) + (scalar::sq(next.y) + scalar::sq(next.z));
       if (!(T(1) / T(4) < square && square < T(4))) {
         return StepStatus::diverged;
@@ -277,14 +281,15 @@ class Stepper {
   /// at round-off, or there is no solution near.
   [[nodiscard]] std::optional<Vec3<T>> middle_momentum(const Vec3<T>& start, const T& dt) const {
     constexpr int most_iterations = 20;
-    const T small = T(4) * std::numeric_limits<T>::epsilon() * start.norm();
+    // Sums, not roots of squares, which overflow and vanish.
+    const T small = (T(4) * std::numeric_limits<T>::epsilon() * start).cwiseAbs().sum();
     Vec3<T> middle = start;
     for (int i = 0; i < most_iterations; ++i) {
       const Mat3<T> jacobian = formula::midpoint_jacobian(middle, inverse_moments_, dt);
       const Vec3<T> residual = formula::midpoint_residual(middle, start, inverse_moments_, dt);
       const Vec3<T> update = jacobian.inverse() * residual;
       middle -= update;
-      const T size = update.norm();
+      const T size = update.cwiseAbs().sum();
       if (size <= small) {
         return middle;
       }

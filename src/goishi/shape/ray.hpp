@@ -50,17 +50,26 @@ template <Ordered T>
 
 /// Entry, exit and the first hit ahead of a ray.
 ///
-/// Domain  a finite start, a unit direction, else InvalidArgument.
-/// Error   entry and exit within 1e-14 of the width where the ray is not grazing (claim SURFACE-3).
+/// Domain  a start whose square is finite, a unit direction within `unit_tolerance`, else InvalidArgument.
+/// Error   entry and exit within 1e-14 of the greater of width and distance where the ray is not grazing (SURFACE-3);
+///         they and the answer "passes" are those of a line nearer than 8 ε of that (DOMAIN-11).
 template <Ordered T>
 [[nodiscard]] RayHit<T> cast_ray(const Stone<T>& stone, const Vec3<T>& p_B, const Vec3<T>& u_B) {
-  detail::require_point(p_B, "start");
+  if (!(p_B.squaredNorm() < std::numeric_limits<T>::max() / T(4))) [[unlikely]] {
+    detail::require_point(p_B, "start");
+    throw_invalid("start", p_B.transpose(), "must have a square that is finite");
+  }
   detail::require_direction(u_B, "direction");
   RayHit<T> result;
-  // From the point of the line that is nearest to the centre, so that a far start costs no digits but its own.
-  const T nearest = -p_B.dot(u_B);
-  const Vec3<T> middle = p_B + nearest * u_B;
-  const T bound = outer_width(stone) / T(2);
+  // From the point of the line that is nearest to the centre, so that a far start costs no digits but its own. Twice:
+  // the first is off by as much of the way as |u|² is off 1.
+  const T far = -p_B.dot(u_B);
+  const Vec3<T> near = p_B + far * u_B;
+  const T rest = -near.dot(u_B);
+  const T nearest = far + rest;
+  const Vec3<T> middle = near + rest * u_B;
+  // A little more than the stone reaches, so that both ends are outside.
+  const T bound = (T(1) + unit_tolerance<T>()) * outer_width(stone) / T(2);
   const T half_square = scalar::sq(bound) - middle.squaredNorm();
   if (half_square < T(0)) {
     return result;

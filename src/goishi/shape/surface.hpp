@@ -128,6 +128,21 @@ template <Ordered T>
                              : formula::rim_support(stone, n.radial);
 }
 
+/// A sum of squares below this has lost digits.
+template <class T>
+inline const T least_square = std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon();
+
+/// √(a² + b²), of lengths too whose squares vanish beside those of a stone: next to its rim, its axis, a ball's centre.
+template <Ordered T>
+[[nodiscard]] T hypotenuse(const T& a, const T& b) {
+  const T square = scalar::sq(a) + scalar::sq(b);
+  if (square < least_square<T>) [[unlikely]] {
+    const T unit = scalar::sq(std::numeric_limits<T>::epsilon());
+    return unit * scalar::sqrt(T(scalar::sq(T(a / unit)) + scalar::sq(T(b / unit))));
+  }
+  return scalar::sqrt(square);
+}
+
 template <Ordered T>
 void require_direction(const Vec3<T>& n, const char* argument = "normal") {
   const T defect = n.squaredNorm() - T(1);
@@ -179,7 +194,7 @@ template <Ordered T>
     detail::require_point(p_B);
     throw_invalid("point", p_B.transpose(), "must have a square that is finite");
   }
-  const T rho = scalar::sqrt(across);
+  const T rho = detail::hypotenuse(p_B.x(), p_B.y());
   const bool upper = !(p_B.z() < T(0));
   const T zeta = upper ? p_B.z() : T(-p_B.z());
   const T& rim = stone.bevel_major_radius;
@@ -189,16 +204,18 @@ template <Ordered T>
   T radial, axial, distance;
   SurfacePoint<T> result;
   if (rho * d <= rim * over) {
-    const T reach = scalar::sqrt(T(scalar::sq(rho) + scalar::sq(over)));
+    const T reach = detail::hypotenuse(rho, over);
     const bool at_centre = !(T(0) < reach);  // of a ball
     radial = at_centre ? T(0) : T(rho / reach);
     axial = at_centre ? T(1) : T(over / reach);
-    distance = T(0) < reach + stone.core_sphere_radius ? formula::core_sphere_distance(stone, rho, zeta, reach) : T(0);
+    // A sum so small that its square vanishes beside a stone's is round-off of the width.
+    const bool vanishes = scalar::sq(T(reach + stone.core_sphere_radius)) < detail::least_square<T>;
+    distance = vanishes ? T(reach - stone.core_sphere_radius) : formula::core_sphere_distance(stone, rho, zeta, reach);
     result.feature = upper ? Feature::upper_cap : Feature::lower_cap;
     result.unique = !at_centre && (T(0) < zeta || !(T(0) < d));
   } else {
     const T outward = rho - rim;
-    distance = scalar::sqrt(T(scalar::sq(outward) + scalar::sq(zeta)));
+    distance = detail::hypotenuse(outward, zeta);
     const bool on_edge = !(T(0) < distance);
     radial = on_edge ? T(1) : T(outward / distance);
     axial = on_edge ? T(0) : T(zeta / distance);
