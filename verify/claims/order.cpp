@@ -282,7 +282,7 @@ std::vector<Claim> order_claims() {
                              "0, 1 and 2, 0.1 for 4, 0.2 for 6",
                    .resolution = 0.02}},
        .mutants = {{"motion/step_formulas.hpp", "formula::along(start, k2, half)", "formula::along(start, k1, half)"},
-                   {"motion/step_formulas.hpp", "middle - start - dt / T(2) *", "middle - start + dt / T(2) *"},
+                   {"motion/step_formulas.hpp", "middle - start - middle.cross", "middle - start + middle.cross"},
                    {"motion/step_formulas.hpp", "rotor.L_B[j] = cosine * L_j + sine * L_k",
                     "rotor.L_B[j] = cosine * L_j - sine * L_k"},
                    {"motion/step_formulas.hpp", "i + 1 < count ? T(mine + half * substep(i + 1)) : mine", "T(mine)"},
