@@ -184,13 +184,16 @@ template <Ordered T>
     found = arc_point(stone, arc, T(a * over), T(b * over));
     const T step = found.slope / found.curvature;
     const T step2 = scalar::sq(step);
+    a = found.a - step * found.b;
+    b = found.b + step * found.a;
     if (leaves_nothing(stone, found, step2, previous2)) {
+      if (!(T(0) < a && T(0) < b)) {
+        return false;  // the last step leaves the arc
+      }
       finish(found, step);
       return is_apart(stone, found);
     }
     previous2 = step2;
-    a = found.a - step * found.b;
-    b = found.b + step * found.a;
   }
   return false;
 }
