@@ -267,6 +267,23 @@ TYPED_TEST(Contact, SquaresThatOverflowOrVanish) {
   }
 }
 
+/// High over a board so narrow that its edge is all but under the stone's lowest point: in float, where the last step of
+/// the search left the arc between the surface and the side, too.
+TEST(ContactFloat, HighOverANarrowBoard) {
+  const Quat<double> q(0x1.530a7e79c61b6p-1, -0x1.7a737100cb5d3p-1, 0x1.4fa6c95079bdfp-4, -0x1.781043106f063p-4);
+  const auto gap = [&]<class T>(T half_length) {
+    const Stone<T> stone = make_stone(T(0.02201), T(0.0092), T(0));
+    Board<T> narrow = make_board<T>();
+    narrow.half_length = half_length;
+    const Pose<T> pose{Vec3<T>(T(0), T(0), T(1)), q.cast<T>().normalized()};
+    return static_cast<double>(separation(stone, pose, narrow).gap);
+  };
+  for (int i = 0; i < 2000; ++i) {
+    const double half_length = 0.009 + 1e-6 * i;
+    EXPECT_NEAR(gap(static_cast<float>(half_length)), gap(half_length), 1e-6) << half_length;
+  }
+}
+
 // --- errors of the caller
 
 TEST(ContactBadInput, PosesNormalsOffsets) {
