@@ -215,19 +215,21 @@ std::vector<Claim> contact_point_claims() {
        .function = "separation (board, stones)",
        .family = OracleFamily::independent,
        .oracle = "slope and curvature of the separation in long double, from the farthest points of caps and torus",
-       .checks = {{.name = "normal",
-                   .unit = "radians",
-                   .bound = 2e-10,
-                   .reason = "a fifth of the bar, 1e-9; what the last step of a search over the normals leaves. "
-                             "Resolution: a slope is "
-                             "rounded to ε of the sphere's radius, 250 widths, and divided by that hundredth",
-                   .resolution = 250.0 * epsilon / 0.01},
-                  {.name = "points",
-                   .unit = "of the width and the spheres' radii",
-                   .bound = 1e-12,
-                   .reason =
-                       "on the stone and on what it meets they go with the normal, whose own error is judged above",
-                   .resolution = 1e-15}},
+       .checks =
+           {{.name = "normal",
+             .unit = "radians",
+             .bound = 2e-10,
+             .reason = "a fifth of the bar, 1e-9; what the last step of a search over the normals leaves. "
+                       "Resolution: a slope is "
+                       "rounded to ε of the sphere's radius, 250 widths, and divided by that hundredth",
+             .resolution = 250.0 * epsilon / 0.01},
+            {.name = "points",
+             .unit = "of the width and the spheres' radii",
+             .bound = 4e-12,
+             .reason =
+                 "on the stone and on what it meets they go with the normal, whose own error is judged above, by up to "
+                 "a fiftieth of it; measured 2026-11-30 with 40 seeds",
+             .resolution = 1e-13}},
        .mutants = {{"contact/contact.hpp", "T(ring + stone.bevel_minor_radius)", "T(ring - stone.bevel_minor_radius)"},
                    {"contact/arc.hpp", "value + ring * scalar::sq(arc.u_out) / square + stone.bevel_minor_radius",
                     "value + ring / square + stone.bevel_minor_radius"},
