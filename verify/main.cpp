@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <cinttypes>
+#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -52,7 +52,7 @@ void define(CLI::App& app, Options& options) {
   app.add_option("--filter", options.filter,
                  "only claims whose id matches: * and ? as in a shell, several separated by commas")
       ->type_name("GLOB");
-  app.add_option("--tier", options.tier, "quick: under 10 s; full: more samples, under 60 s")
+  app.add_option("--tier", options.tier, "quick: some 10 s; full: more samples, some two minutes")
       ->check(CLI::IsMember({"quick", "full"}))
       ->capture_default_str();
   app.add_option("--seed", options.seed, "seed of all random samples")
@@ -72,6 +72,9 @@ void define(CLI::App& app, Options& options) {
   app.add_option("--json", options.json_file, "write the report as JSON")->type_name("FILE");
   app.add_option("--junit", options.junit_file, "write the report as JUnit XML")->type_name("FILE");
   app.add_flag("--no-bench", options.no_bench, "leave run time against error out of the full report");
+  for (const char* const one : {"--list", "--mutants", "--seed", "--report", "--json", "--junit"}) {
+    app.get_option("--seeds")->excludes(app.get_option(one));  // they are of one run
+  }
   app.footer(
       "Exit status: 0 all claims hold, 1 a claim failed, 2 bad usage.\n"
       "Example: goishi-verify --tier full --filter 'GSL-*,MASS-*' --report build/report");
@@ -134,9 +137,12 @@ void write_report(const Run& run, const std::filesystem::path& folder, bool with
 /// FIRST-LAST.
 std::pair<std::uint64_t, std::uint64_t> range_of(const std::string& seeds) {
   std::uint64_t first = 0, last = 0;
-  char more = 0;
-  const bool read = std::sscanf(seeds.c_str(), "%" SCNu64 "-%" SCNu64 "%c", &first, &last, &more) == 2;
-  goishi::require(read && first <= last && last - first < 100'000, "seeds", seeds, "must be FIRST-LAST, as 1-100");
+  const char* const end = seeds.data() + seeds.size();
+  const auto [dash, first_error] = std::from_chars(seeds.data(), end, first);
+  const bool dashed = first_error == std::errc() && dash != end && *dash == '-';
+  const auto [rest, last_error] = std::from_chars(dashed ? dash + 1 : dash, end, last);
+  goishi::require(dashed && last_error == std::errc() && rest == end && first <= last && last - first < 100'000,
+                  "seeds", seeds, "must be FIRST-LAST, as 1-100");
   return {first, last};
 }
 

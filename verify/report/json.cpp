@@ -2,6 +2,7 @@
 #include <rapidjson/stringbuffer.h>
 
 #include <cmath>
+#include <ranges>
 #include <string_view>
 
 #include "verify/report/escape.hpp"
@@ -58,15 +59,6 @@ class Json {
     writer_.StartArray();
     for (const auto& item : list) {
       each(item);
-    }
-    writer_.EndArray();
-  }
-
-  template <class Each>
-  void list(std::size_t count, Each&& each) {
-    writer_.StartArray();
-    for (std::size_t i = 0; i < count; ++i) {
-      each(i);
     }
     writer_.EndArray();
   }
@@ -130,8 +122,8 @@ void write_result(Json& json, const Result& result) {
     json.member("why", result.verdict.why);
     json.member("seconds", result.seconds);
     json.member("weakest", std::uint64_t{result.verdict.weakest()});
-    json.key("checks");
-    json.list(claim.checks.size(), [&](std::size_t i) { write_check(json, result.checked(i)); });
+    json.array("checks", std::views::iota(std::size_t{0}, claim.checks.size()),
+               [&](std::size_t i) { write_check(json, result.checked(i)); });
     json.array("figures", measurement.figures, [&](const Figure& figure) {
       json.object([&] {
         json.member("name", figure.name);

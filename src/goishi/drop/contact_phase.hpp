@@ -101,7 +101,7 @@ class ContactPhase {
         end_ = ContactEnd::lift_off;
         return true;
       case Guard::support:
-        end_ = T(0) <= run_.level ? ContactEnd::board_edge : ContactEnd::side;
+        end_ = beyond_support();
         return true;
       case Guard::turning:
         return slide_locked();
@@ -115,6 +115,10 @@ class ContactPhase {
         break;
     }
     return settle();
+  }
+
+  [[nodiscard]] ContactEnd beyond_support() const {
+    return T(0) <= run_.level ? ContactEnd::board_edge : ContactEnd::side;
   }
 
   void change_feature() {
@@ -206,15 +210,26 @@ class ContactPhase {
   [[nodiscard]] bool settle() {
     Variables<T>& y = contact_.y;
     Kinetics<T> now = kinetics(body_, contact_.feature, y);
-    if (body_.resists && !contact_.turns(now)) {
+    if (body_.resists && !contact_.turns(now.w)) {
       y[at::L] = y[at::L + 1] = y[at::L + 2] = T(0);
       now = kinetics(body_, contact_.feature, y);
     }
     const std::array<T, 2> slip = contact_.slip();
     const T usual = onset_time(body_, now, slip[0], slip[1]), left = run_.left();
-    const T h = left < usual ? left : usual;
-    ++run_.result.counters.steps_accepted;
-    const Onset<T> next = OnsetSolver<T>(body_, now, slip[0], slip[1], h)();
+    // What begins slowly is followed until it has a direction, as long as that costs less than a step's error, h² at most.
+    const T most = T(0.1) * scalar::sqrt(run_.settings.tolerance) / contact_.scales.frequency;
+    T h = usual;
+    Onset<T> next;
+    while (true) {
+      h = left < h ? left : h;
+      ++run_.result.counters.steps_accepted;
+      next = OnsetSolver<T>(body_, now, slip[0], slip[1], h)();
+      if (!body_.resists || !next.closed || !next.turns ||
+          contact_.turns(formula::turning(body_.mobility, now.u, next.L)) || !(T(8) * h < most) || !(h < left)) {
+        break;
+      }
+      h = T(8) * h;
+    }
     if (!next.closed) {
       end_ = ContactEnd::lift_off;
       return true;
@@ -293,7 +308,7 @@ class ContactPhase {
       return false;
     }
     end_ = end == LockedEnd::stopped   ? ContactEnd::rest
-           : end == LockedEnd::support ? (T(0) <= run_.level ? ContactEnd::board_edge : ContactEnd::side)
+           : end == LockedEnd::support ? beyond_support()
            : end == LockedEnd::time    ? ContactEnd::time
                                        : ContactEnd::too_many_steps;
     return end != LockedEnd::unlocked;

@@ -140,10 +140,10 @@ class ContactState {
     return separation(Placed<T>{run.stone, p, Vec3<T>(now.u / scalar::sqrt(formula::dot(now.u, now.u)))}, board).gap;
   }
 
-  /// Whether the turning is so fast that it has a direction.
-  [[nodiscard]] bool turns(const Kinetics<T>& now) const {
+  /// Whether a turning is so fast that it has a direction.
+  [[nodiscard]] bool turns(const Vec3<T>& w) const {
     const T share = T(0.01) * run.settings.tolerance;
-    return scalar::sq(T((share < T(1e-11) ? T(1e-11) : share) * scales.frequency)) < formula::dot(now.w, now.w);
+    return scalar::sq(T((share < T(1e-11) ? T(1e-11) : share) * scales.frequency)) < formula::dot(w, w);
   }
 
   [[nodiscard]] static T size_of(const T& x, const T& y) { return scalar::sqrt(T(scalar::sq(x) + scalar::sq(y))); }

@@ -90,7 +90,7 @@ class Gliding {
   }
 
   [[nodiscard]] GlideRate<T> slip_rate_at(const T& s_x, const T& s_y) {
-    ratio_ = friction_per_slip(s_x, s_y);
+    ratio_ = smooth_friction(body_, T(scalar::sq(s_x) + scalar::sq(s_y)), T(now.w.z()));
     GlideRate<T> slip = formula::glide_rate(now.W, now.brake, now.need, ratio_, s_x, s_y);
     slip.x = slip.x - body_.damping * s_x;
     slip.y = slip.y - body_.damping * s_y;
@@ -166,17 +166,6 @@ class Gliding {
     };
     return {T(by(g_xx, g_xy, p_x, W.xx, W.xy) - body_.damping), by(g_xy, g_yy, p_x, W.xx, W.xy),
             by(g_xx, g_xy, p_y, W.xy, W.yy), T(by(g_xy, g_yy, p_y, W.xy, W.yy) - body_.damping)};
-  }
-
-  [[nodiscard]] T friction_per_slip(const T& s_x, const T& s_y) const {
-    if (body_.model == FrictionModel::slip_proportional) {
-      return body_.slip_coefficient;
-    }
-    if (!(T(0) < body_.friction)) {
-      return T(0);
-    }
-    return formula::patch_friction(body_.friction, body_.contensou, T(now.w.z()), T(scalar::sq(s_x) + scalar::sq(s_y)),
-                                   body_.creep_square);
   }
 
   const ContactBody<T>& body_;

@@ -162,7 +162,7 @@ class ContactIntegrator {
   template <class Equations>
   [[nodiscard]] bool turning_is_to_begin(const Equations& equations, const Variables<T>& rate) const {
     const Kinetics<T>& k = equations.now;
-    return contact_.body.resists && T(0) < k.need.z() && !contact_.turns(k) &&
+    return contact_.body.resists && T(0) < k.need.z() && !contact_.turns(k.w) &&
            k.w.x() * rate[at::L] + k.w.y() * rate[at::L + 1] + k.w.z() * rate[at::L + 2] <= T(0);
   }
 

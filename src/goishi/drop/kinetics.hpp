@@ -83,6 +83,17 @@ template <Ordered T>
   return k;
 }
 
+/// What a law of friction that is smooth in the slip takes per normal force and slip   [s/m], of a contact that turns with w_z.
+template <Ordered T>
+[[nodiscard]] T smooth_friction(const ContactBody<T>& body, const T& slip_square, const T& w_z) {
+  if (body.model == FrictionModel::slip_proportional) {
+    return body.slip_coefficient;
+  }
+  return T(0) < body.friction
+             ? formula::patch_friction(body.friction, body.contensou, w_z, slip_square, body.creep_square)
+             : T(0);
+}
+
 /// The least denominator of a normal force that still counts as solvable: below, friction jams (Painlevé).
 template <Ordered T>
 [[nodiscard]] T jam_margin(const T& W_zz) {

@@ -148,15 +148,10 @@ class LockedSlide {
   /// What friction takes of the velocity   [1/s].
   [[nodiscard]] T friction_per_speed(const T& speed) const {
     const T N = -body_.gravity.z();
-    if (body_.model == FrictionModel::slip_proportional) {
-      return body_.slip_coefficient * N;
+    if (body_.model != FrictionModel::dry) {
+      return N * smooth_friction(body_, scalar::sq(speed), T(0));
     }
-    const bool smooth = body_.model == FrictionModel::coulomb_contensou;
-    if (!(T(0) < body_.friction) || (!smooth && !(T(0) < speed))) {
-      return T(0);
-    }
-    return N * formula::patch_friction(body_.friction, body_.contensou, T(0), scalar::sq(speed),
-                                       smooth ? body_.creep_square : T(0));
+    return T(0) < body_.friction && T(0) < speed ? T(N * body_.friction / speed) : T(0);
   }
 
   [[nodiscard]] Vec3<T> force(const Motion& y) const {

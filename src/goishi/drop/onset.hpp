@@ -35,13 +35,16 @@ class OnsetSolver {
  public:
   /// Of a stone with this motion whose contact point slips with (s_x, s_y), after a time h.
   OnsetSolver(const ContactBody<T>& body, const Kinetics<T>& now, const T& s_x, const T& s_y, const T& h)
-      : body_(body), now_(now), h_(h), rough_(!(body.friction < std::numeric_limits<T>::infinity())) {
+      : body_(body),
+        now_(now),
+        h_(h),
+        smooth_(body.model != FrictionModel::dry),
+        rough_(!smooth_ && !(body.friction < std::numeric_limits<T>::infinity())) {
     const T kept = T(1) - h * body.damping;
     c_ = {T(kept * s_x - h * now.need.x()), T(kept * s_y - h * now.need.y()), T(-(h * now.need.z()))};
     L_ = formula::scaled(kept, now.L);
-    smooth_ = body.model != FrictionModel::dry;
     if (smooth_) {
-      see_patch(s_x, s_y, T(now.w.z()));
+      per_slip_ = smooth_friction(body, T(scalar::sq(s_x) + scalar::sq(s_y)), T(now.w.z()));
     }
     const bool rubs = smooth_ ? T(0) < per_slip_ : T(0) < body.friction;
     const T unit = smooth_ || rough_ ? T(1) : body.friction;
@@ -67,21 +70,38 @@ class OnsetSolver {
   }
 
   [[nodiscard]] Onset<T> operator()() {
-    Onset<T> result;
-    constexpr int most_patches = 50;
+    if (body_.model != FrictionModel::coulomb_contensou) {
+      return balanced();
+    }
+    // The friction for each slip that goes with the slip it leaves: further each time until it lies between two, then by
+    // false position (Illinois).
+    constexpr int most_patches = 100;
+    const T exact = at_least(T(1e-11), T(16) * std::numeric_limits<T>::epsilon());
+    T low(0), high(0), low_off(0), high_off(0), far(1);
+    int last = 0;
     for (int i = 0; i < most_patches; ++i) {
-      result = balanced();
-      if (!smooth_ || !result.closed || body_.model == FrictionModel::slip_proportional) {
-        break;
+      const Onset<T> result = balanced();
+      const T w_z = formula::turning(body_.mobility, now_.u, result.L).z();
+      const T fits = smooth_friction(body_, T(scalar::sq(result.slip_x) + scalar::sq(result.slip_y)), w_z);
+      const T off = fits - per_slip_;
+      const int side = off < T(0) ? -1 : 1;
+      if (!result.closed || T(side) * off <= exact * fits) {
+        return result;
       }
-      const T last = per_slip_;
-      see_patch(result.slip_x, result.slip_y, T(formula::turning(body_.mobility, now_.u, result.L).z()));
-      const T change = per_slip_ - last;
-      if (!(T(1e-9) * last < (change < T(0) ? T(-change) : change))) {
-        break;
+      (side < 0 ? high : low) = per_slip_;
+      (side < 0 ? high_off : low_off) = off;
+      if (T(0) < low && T(0) < high) {
+        if (side == last) {
+          (side < 0 ? low_off : high_off) = (side < 0 ? low_off : high_off) / T(2);
+        }
+        last = side;
+        per_slip_ = i % 4 == 3 ? T((low + high) / T(2)) : T(low + (high - low) * (low_off / (low_off - high_off)));
+      } else {
+        per_slip_ = side < 0 ? T(fits / far) : T(per_slip_ + far * off);
+        far = far + far;
       }
     }
-    return result;
+    return balanced();
   }
 
  private:
@@ -110,15 +130,6 @@ class OnsetSolver {
   void add(const Vec3<T>& force, const Vec3<T>& torque) {
     ways_[used_] = {force, torque};
     made_[used_++] = made_by(force, torque);
-  }
-
-  /// The smooth laws: what friction takes per normal force and slip.
-  void see_patch(const T& s_x, const T& s_y, const T& w_z) {
-    per_slip_ = body_.model == FrictionModel::slip_proportional ? body_.slip_coefficient
-                : T(0) < body_.friction
-                    ? formula::patch_friction(body_.friction, body_.contensou, w_z,
-                                              T(scalar::sq(s_x) + scalar::sq(s_y)), body_.creep_square)
-                    : T(0);
   }
 
   /// The friction and resistance that go with a normal impulse, each a share of what it can be at most: λ x against the
@@ -247,7 +258,7 @@ class OnsetSolver {
     const T first = h_ * body_.strength / (T(64) * now_.W.zz);
     solvable_ = true;
     T sign(1), low(0), low_v = c_.z();
-    if (rough_ && !smooth_) {
+    if (rough_) {
       const T hardly = leaving(T(T(1e-6) * first), at);
       sign = hardly < T(0) ? T(1) : T(-1);
       low_v = sign * hardly;
@@ -301,7 +312,7 @@ class OnsetSolver {
       point = formula::plus(point, share, made_[i].point);
     }
     result.closed = solvable_ && scalar::is_finite(T(formula::dot(point, point) + N));
-    const bool holds = 0 < forces_ && !smooth_ && !(T(0) < at.slip);
+    const bool holds = 0 < forces_ && !(T(0) < at.slip);
     result.slips = !holds;
     result.slip_x = holds ? T(0) : T(point.x());
     result.slip_y = holds ? T(0) : T(point.y());
@@ -315,7 +326,7 @@ class OnsetSolver {
   const ContactBody<T>& body_;
   const Kinetics<T>& now_;
   T h_;
-  bool rough_, smooth_ = false, solvable_ = true;
+  bool smooth_, rough_, solvable_ = true;
   T per_slip_ = T(0);  // [s/m] of the smooth laws
   Vec3<T> c_, L_;      // velocity of the contact point and angular momentum, without any force of contact
   Motion normal_;
