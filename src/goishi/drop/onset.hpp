@@ -80,7 +80,7 @@ class OnsetSolver {
     T low(0), high(0), low_off(0), high_off(0), far(1);
     int last = 0;
     for (int i = 0; i < most_patches; ++i) {
-      const Onset<T> result = balanced();
+      Onset<T> result = balanced();
       const T w_z = formula::turning(body_.mobility, now_.u, result.L).z();
       const T fits = smooth_friction(body_, T(scalar::sq(result.slip_x) + scalar::sq(result.slip_y)), w_z);
       const T off = fits - per_slip_;
