@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "verify/claim.hpp"
+#include "verify/suite/claim.hpp"
 
 namespace goishi::verify {
 

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "verify/samples.hpp"
+#include "verify/samples/stone.hpp"
 
 namespace {
 

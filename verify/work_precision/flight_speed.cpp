@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "verify/samples.hpp"
+#include "verify/samples/stone.hpp"
 #include "verify/work_precision/native.hpp"
 
 namespace goishi::verify::bench {

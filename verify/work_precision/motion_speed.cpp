@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "verify/samples.hpp"
+#include "verify/samples/stone.hpp"
 #include "verify/work_precision/native.hpp"
 
 namespace {

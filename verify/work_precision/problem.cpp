@@ -2,7 +2,7 @@
 
 #include <goishi/shape/catalogue.hpp>
 
-#include "verify/oracles/multiprecision.hpp"
+#include "verify/oracles/numbers/multiprecision.hpp"
 
 namespace goishi::verify::bench {
 

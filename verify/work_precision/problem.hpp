@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "verify/oracles/free_body.hpp"
+#include "verify/oracles/motion/free_body.hpp"
 
 namespace goishi::verify::bench {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "verify/samples.hpp"
+#include "verify/samples/stone.hpp"
 
 namespace goishi::verify::bench::contact {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "verify/oracles/hull.hpp"
+#include "verify/oracles/stone/hull.hpp"
 #include "verify/work_precision/contact/problem.hpp"
 
 namespace goishi::verify::bench::contact {

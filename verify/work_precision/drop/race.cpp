@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "verify/quantile.hpp"
+#include "verify/suite/quantile.hpp"
 #include "verify/work_precision/drop/speed.hpp"
 
 namespace goishi::verify::bench::drops {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "verify/oracles/published_loop.hpp"
+#include "verify/oracles/published/loop.hpp"
 #include "verify/work_precision/drop/scene.hpp"
 #include "verify/work_precision/timing.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "verify/samples.hpp"
+#include "verify/samples/stone.hpp"
 
 namespace goishi::verify::bench::drops {
 

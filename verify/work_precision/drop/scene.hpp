@@ -6,7 +6,7 @@
 #include <goishi/mass/inertia.hpp>
 #include <vector>
 
-#include "verify/compiled_drop.hpp"
+#include "compiled/drop.hpp"
 
 namespace goishi::verify::bench::drops {
 

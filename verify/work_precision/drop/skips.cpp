@@ -6,8 +6,8 @@
 #include <cmath>
 #include <goishi/impact/laws.hpp>
 
-#include "verify/quantile.hpp"
 #include "verify/report/number.hpp"
+#include "verify/suite/quantile.hpp"
 #include "verify/work_precision/bar.hpp"
 #include "verify/work_precision/drop/speed.hpp"
 

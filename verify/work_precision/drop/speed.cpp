@@ -4,8 +4,8 @@
 #include <cmath>
 #include <goishi/impact/laws.hpp>
 
-#include "verify/quantile.hpp"
-#include "verify/samples.hpp"
+#include "verify/samples/stone.hpp"
+#include "verify/suite/quantile.hpp"
 
 namespace goishi::verify::bench::drops {
 
