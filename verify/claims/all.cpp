@@ -54,6 +54,8 @@ std::vector<Claim> all_claims() {
       {"claims/drop/odeint.cpp", drop_odeint_claims},
       {"claims/drop/whole.cpp", drop_whole_claims},
       {"claims/drop/scale.cpp", drop_scale_claims},
+      {"claims/drop/board.cpp", drop_board_claims},
+      {"claims/drop/tolerance.cpp", drop_tolerance_claims},
       {"claims/drop/picture.cpp", drop_picture_claims},
       {"claims/published/numbers.cpp", published_claims},
       {"claims/published/motion.cpp", published_motion_claims},
