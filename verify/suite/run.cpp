@@ -1,6 +1,7 @@
 #include "verify/suite/run.hpp"
 
 #include <fmt/format.h>
+#include <fnmatch.h>
 #include <sys/utsname.h>
 
 #include <array>
@@ -13,6 +14,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <sstream>
 #include <thread>
 
 #include "build_info.hpp"
@@ -213,26 +215,13 @@ Run run_claims(const std::vector<Claim>& claims, const Stamp& stamp, unsigned th
 }
 
 bool matches(std::string_view id, std::string_view patterns) {
-  const auto matches_one = [](auto& self, std::string_view text, std::string_view pattern) -> bool {
-    if (pattern.empty()) {
-      return text.empty();
-    }
-    if (pattern.front() == '*') {
-      return self(self, text, pattern.substr(1)) || (!text.empty() && self(self, text.substr(1), pattern));
-    }
-    return !text.empty() && (pattern.front() == '?' || pattern.front() == text.front()) &&
-           self(self, text.substr(1), pattern.substr(1));
-  };
-  while (true) {
-    const std::size_t comma = patterns.find(',');
-    if (matches_one(matches_one, id, patterns.substr(0, comma))) {
+  std::istringstream list{std::string(patterns)};
+  for (std::string pattern; std::getline(list, pattern, ',');) {
+    if (fnmatch(pattern.c_str(), std::string(id).c_str(), 0) == 0) {
       return true;
     }
-    if (comma == std::string_view::npos) {
-      return false;
-    }
-    patterns.remove_prefix(comma + 1);
   }
+  return false;
 }
 
 }  // namespace goishi::verify
