@@ -125,7 +125,7 @@ what the point is accelerated by without force and torque: $\mathrm{need} = -g -
   const Vector L_rate = stone.there(Vector(stone.r().cross(F))) + tau;
   const Vector w_rate = stone.rate(w, u_rate, L_rate), r_rate = stone.rate(stone.r(), u_rate, L_rate);
   const Vector acceleration = F + stone.g + w_rate.cross(stone.there(stone.r())) + w.cross(r_rate);
-  const Vector turned = formula::cross(formula::turning(stone.mobility, stone.u, tau), stone.now.r);
+  const Vector turned = formula::turned_point(stone.mobility, stone.u, stone.now.r, tau);
   const Vector gain = formula::minus(formula::plus(formula::product(stone.now.W, F), turned), stone.now.need);
   document.prove(
       {.text = R"($\frac{\mathrm{d}}{\mathrm{d}t}(v + \omega \times r) = W F + J\tau \times r - \mathrm{need}$)",

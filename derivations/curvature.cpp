@@ -233,10 +233,8 @@ same width, height and joint comes back:)");
 
 }  // namespace
 
-/// The argument is the file that the picture goes to; without it none is drawn.
-int main(int count, char** arguments) {
-  const std::string picture = count > 1 ? arguments[1] : "";
-  return derive("The curvature of the profile", [&](Document& document) {
+int main() {
+  return derive("The curvature of the profile", [](Document& document) {
     const Torus torus;
     const Normal n;
     const Transition at;
@@ -245,6 +243,6 @@ int main(int count, char** arguments) {
     equations(document, n, at);
     support(document, n, at);
     domain(document, torus, n);
-    example(document, picture);
+    example(document);
   });
 }

@@ -1,67 +1,27 @@
 #pragma once
 /// \file
 /// The part of the curvature's derivation that is in numbers: three profiles of size 33, sharp, bevelled and continuous, and
-/// a picture of the curvature along them.
+/// the curvature along them.
 
 #include <goishi/shape/bevel.hpp>
 #include <goishi/shape/lens.hpp>
 #include <goishi/shape/stone.hpp>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "algebra.hpp"
 #include "enclosure.hpp"
 #include "profile.hpp"
 #include "proof.hpp"
-#include "verify/report/report.hpp"
-#include "verify/report/svg.hpp"
 
 namespace derivation {
 
 namespace formula = goishi::formula;
 
-/// An exact number as a double, to draw it.
-inline double drawn(const ex& number) {
-  return GiNaC::ex_to<GiNaC::numeric>(number.evalf()).to_double();
-}
-
-/// An arc of a profile: the angles of its normal, from the axis [degrees], and its radius of curvature at both ends.
-struct Arc {
-  ex from;
-  ex to;
-  ex radius_from;
-  ex radius_to;
-};
-
-/// Curvature by angle; the radius is linear in the angle on each arc.
-inline goishi::verify::Series curvatures(const std::string& name, const std::vector<Arc>& arcs) {
-  constexpr int steps = 80;
-  goishi::verify::Series series = {.name = name, .points = {}};
-  for (const Arc& arc : arcs) {
-    const double from = drawn(arc.from), to = drawn(arc.to);
-    const double radius_from = drawn(arc.radius_from), radius_to = drawn(arc.radius_to);
-    for (int k = 0; k <= steps; ++k) {
-      const double part = static_cast<double>(k) / steps;
-      series.points.emplace_back(from + part * (to - from), 1 / (radius_from + part * (radius_to - radius_from)));
-    }
-  }
-  return series;
-}
-
-inline void draw_curvatures(const std::string& file, std::vector<goishi::verify::Series> profiles) {
-  goishi::verify::write_file(file, goishi::verify::svg_plot({.title = "Curvature along three profiles, 22 × 9.2 mm",
-                                                             .x_label = "angle of the normal from the axis [°]",
-                                                             .y_label = "curvature [1/mm]",
-                                                             .log_y = true,
-                                                             .series = std::move(profiles)}));
-}
-
 inline ex degrees(const ex& n) {
   return n * Pi / 180;
 }
 
-inline void example(Document& document, const std::string& picture) {
+inline void example(Document& document) {
   document.section("Size 33");
   const ex w = 22, h = ex(92) / 10, b = 1;
   const ex d = formula::measured_sphere_offset<ex>(w, h, b);
@@ -91,28 +51,22 @@ by their series, $\pi$ by Machin's formula.)");
   const std::string lens = curved(formula::sphere_radius<ex>(w, h));
   const std::string cap = curved(two_arcs.sphere_radius), bevel = curved(two_arcs.bevel_minor_radius);
   const std::string flat = curved(stone.sphere_radius), edge = curved(stone.edge_radius);
-  const ex middle = (stone.sphere_radius + stone.edge_radius) / 2;
+  // The radius of curvature is linear in the angle from φ_a to φ_b.
+  const auto between = [&](const ex& part) {
+    return curved(stone.sphere_radius + part * (stone.edge_radius - stone.sphere_radius));
+  };
   document.text(R"(| normal at | sharp | bevelled | continuous |
 |---|---|---|---|
-| $0$ (pole) to $\varphi_a$ | )" +
+| $0$ (pole) to $\varphi_a = 36.66°$ | )" +
                 lens + " | " + cap + " | " + flat + R"( |
-| $\varphi_m$ | )" +
-                lens + " | jumps: " + cap + ", " + bevel + " | " + curved(middle) + R"( |
-| $\varphi_b$ to $90°$ (rim) | edge | )" +
+| $39.16°$ | )" +
+                lens + " | " + cap + " | " + between(ex(1) / 4) + R"( |
+| $\varphi_m = 41.66°$ | )" +
+                lens + " | jumps: " + cap + ", " + bevel + " | " + between(ex(1) / 2) + R"( |
+| $44.16°$ | )" +
+                lens + " | " + bevel + " | " + between(ex(3) / 4) + R"( |
+| $\varphi_b = 46.66°$ to $90°$ (rim) | edge | )" +
                 bevel + " | " + edge + " |");
-  document.text("![The curvature along the three profiles](curvature.svg)");
-  if (!picture.empty()) {
-    const ex lens_radius = formula::sphere_radius<ex>(w, h);
-    const auto angle = [](const ex& radial) { return GiNaC::asin(radial) * 180 / Pi; };
-    const ex turn = angle(two_arcs.joint_cosine);
-    draw_curvatures(picture,
-                    {curvatures("sharp", {{0, angle(w / 2 / lens_radius), lens_radius, lens_radius}}),
-                     curvatures("bevelled", {{0, turn, two_arcs.sphere_radius, two_arcs.sphere_radius},
-                                             {turn, 90, two_arcs.bevel_minor_radius, two_arcs.bevel_minor_radius}}),
-                     curvatures("continuous", {{0, joint - 5, stone.sphere_radius, stone.sphere_radius},
-                                               {joint - 5, joint + 5, stone.sphere_radius, stone.edge_radius},
-                                               {joint + 5, 90, stone.edge_radius, stone.edge_radius}})});
-  }
   document.check("the curvature of two arcs jumps by $(2d + b)/b = 24.22$ at the joint",
                  decimals(two_arcs.sphere_radius / two_arcs.bevel_minor_radius, 2) == "24.22" &&
                      decimals((2 * d + b) / b, 2) == "24.22");

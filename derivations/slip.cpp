@@ -74,6 +74,43 @@ $b = J\tau \times r$ is what the resistance of a normal force 1, its torque $\ta
                   .controls = scaled(law)});
 }
 
+void slopes(Document& document) {
+  const Vector b = letters_xyz("b"), need = letters_xyz(R"(\mathrm{need})");
+  const realsymbol sx("sx", "s_x"), sy("sy", "s_y"), c("c");
+  document.section("The force of friction");
+  document.shipped("formula::friction_force", "drop/slip.hpp");
+  const possymbol N("N"), drag("D");
+  const ex force = components(formula::friction_force<ex>(N, drag, sx, sy));
+  document.prove({.text = "it is $-D (s_x, s_y, 0)$ and the normal force",
+                  .result = force,
+                  .witness = components(Vector(N * up - drag * Vector(sx, sy, 0)))});
+
+  document.section("The slope of a smooth law");
+  document.text(
+      R"(Friction per normal force is $k s$, and damping takes $c s$ of $\dot s$. With $k = \mu/R$, $R^2 = |s|^2 + f$, the
+slope of $k s$ is $k (1 - s s^\mathsf{T}/R^2)$; $f$ does not depend on the slip. A constant $k$ has no such part.)");
+  document.shipped("formula::glide_slope", "drop/slip.hpp");
+  const possymbol k("k"), f("f"), R("R");
+  const auto prove = [&](const std::string& law, const ex& by_slip, const ex& there, const ex& share,
+                         const auto& in_letters) {
+    const goishi::GlideRate<ex> rate = formula::glide_rate<ex>(W, b, need, by_slip, sx, sy);
+    const goishi::GlideRate<ex> now = formula::glide_rate<ex>(W, b, need, there, sx, sy);
+    const goishi::GlideSlope<ex> slope = formula::glide_slope<ex>(W, b, now, there, share, sx, sy, c);
+    const ex x = rate.x - c * sx, y = rate.y - c * sy;
+    const auto statement = [&](const std::string& name, const ex& result, const ex& witness) {
+      document.prove({.text = law + name, .result = result, .witness = in_letters(witness)});
+    };
+    statement(R"(: $\partial\dot s_x/\partial s_x$)", slope.xx, x.diff(sx));
+    statement(R"(: $\partial\dot s_x/\partial s_y$)", slope.xy, x.diff(sy));
+    statement(R"(: $\partial\dot s_y/\partial s_x$)", slope.yx, y.diff(sx));
+    statement(R"(: $\partial\dot s_y/\partial s_y$)", slope.yy, y.diff(sy));
+  };
+  const ex square = pow(sx, 2) + pow(sy, 2);
+  prove("the patch", formula::patch_friction<ex>(mu, 0, 0, square, f), mu / R, 1 / pow(R, 2),
+        [&](const ex& e) { return resolve_roots(e.subs(f == pow(R, 2) - square).expand()); });
+  prove("in proportion", k, k, 0, [](const ex& e) { return e; });
+}
+
 void by_hand(Document& document) {
   document.section("From the tilt at which friction does not turn the stone");
   document.text(
@@ -155,6 +192,7 @@ faster if $\tan\beta > \mu$.)");
 int main() {
   return derive("A stone that slips on a plane", [](Document& document) {
     laws(document);
+    slopes(document);
     by_hand(document);
   });
 }

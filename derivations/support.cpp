@@ -19,6 +19,7 @@ struct Direction {
   possymbol t = possymbol("t", "t");
   ex radial = (1 - pow(t, 2)) / (1 + pow(t, 2));
   ex axial = 2 * t / (1 + pow(t, 2));
+  realsymbol around_x = realsymbol("ax", R"(\cos\psi)"), around_y = realsymbol("ay", R"(\sin\psi)");  // about the axis
 };
 
 /// A stone by its torus, as `formula::bevelled_stone` makes it.
@@ -31,6 +32,23 @@ goishi::Stone<ex> stone_of(const Torus& torus) {
   stone.bevel_minor_radius = torus.minor;
   stone.core_sphere_radius = torus.core_radius;
   return stone;
+}
+
+using Vector = Eigen::Matrix<ex, 3, 1>;
+
+/// The shipped point is the farthest, in the direction n, of a ball about `centre`.
+void point(Document& document, const Direction& n, const ex& reach, const ex& height, const Vector& centre,
+           const ex& radius) {
+  document.shipped("formula::support_point", "shape/surface.hpp");
+  const Vector normal(n.radial * n.around_x, n.radial * n.around_y, n.axial);
+  const Vector made = formula::support_point<ex>(reach, normal, height);
+  const Vector letters(possymbol("la", "a_1"), possymbol("lb", "a_2"), possymbol("lc", "a_3"));
+  const ex result = letters.dot(made);
+  document.prove({.text = "the point itself, $n$ at the angle $\\psi$ about the axis",
+                  .result = result,
+                  .witness = letters.dot(centre + radius * normal),
+                  .controls = {-result, result * ex(1001) / 1000, letters.dot(Vector(made.y(), made.x(), made.z())),
+                               letters.dot(Vector(made.x(), made.y(), -made.z()))}});
 }
 
 void cap(Document& document, const goishi::Stone<ex>& stone, const Direction& n) {
@@ -52,6 +70,7 @@ cap, it is the farthest of the stone, which lies inside the circle.)");
                   .result = height,
                   .witness = stone.sphere_radius * n.axial - stone.sphere_offset,
                   .controls = scaled(height)});
+  point(document, n, stone.sphere_radius, height, Vector(0, 0, -stone.sphere_offset), stone.sphere_radius);
   document.shipped("formula::cap_gap", "contact/stone_plane.hpp");
   const possymbol z("z");
   const ex gap = formula::cap_gap<ex>(stone, z, n.axial, square);
@@ -68,12 +87,21 @@ void rim(Document& document, const goishi::Stone<ex>& stone, const Direction& n)
 in the direction $n$ is $(r_1, 0) + r_2 n$, and $S = n \cdot ((r_1, 0) + r_2 n)$.)");
   document.shipped("formula::rim_support", "shape/surface.hpp");
   const ex support = formula::rim_support<ex>(stone, n.radial);
+  const ex reach = formula::rim_support_reach<ex>(stone, n.radial);
   const ex far_r = stone.bevel_major_radius + stone.bevel_minor_radius * n.radial;
   const ex far_z = stone.bevel_minor_radius * n.axial;
   document.prove({.text = "$S = r_1 n_r + r_2$",
                   .result = support,
                   .witness = n.radial * far_r + n.axial * far_z,
                   .controls = scaled(support)});
+  document.shipped("formula::rim_support_reach", "shape/surface.hpp");
+  document.prove({.text = "the point's distance from the axis, over $n_r$",
+                  .result = reach,
+                  .witness = far_r / n.radial,
+                  .controls = scaled(reach)});
+  point(document, n, reach, far_z,
+        Vector(stone.bevel_major_radius * n.around_x, stone.bevel_major_radius * n.around_y, 0),
+        stone.bevel_minor_radius);
   document.shipped("formula::rim_gap", "contact/stone_plane.hpp");
   const possymbol z("z");
   const ex gap = formula::rim_gap<ex>(stone, z, n.radial);
@@ -139,7 +167,6 @@ t_2^T$.)");
   const realsymbol g("g"), beta("b", R"(\tan\frac{\beta}{2})"), p1("p1", "p_1"), p2("p2", "p_2");
   const auto cosine = [](const ex& t) { return ex((1 - pow(t, 2)) / (1 + pow(t, 2))); };
   const auto sine = [](const ex& t) { return ex(2 * t / (1 + pow(t, 2))); };
-  using Vector = Eigen::Matrix<ex, 3, 1>;
   const Vector z(ex(0), ex(0), ex(1));
   const Vector t1(ex(1), ex(0), ex(0)), t2(cosine(beta), sine(beta), ex(0));
   const auto radial = [&](const Vector& t, const ex& p) { return Vector(cosine(p) * z + sine(p) * z.cross(t)); };
@@ -215,10 +242,11 @@ $H = h_0 + v t - g t^2/2 - S(u)$. So $H'' = -g - S''(u)\,u'^2 - S'(u)\,u''$. On 
   const ex root = (1 - pow(k, 2)) / (1 + pow(k, 2));
   const auto by_u = [&](const ex& e) { return (e.diff(k) / on_rim.diff(k)).normal(); };
   const ex slope = by_u(formula::rim_support<ex>(stone, root));
+  document.shipped("formula::rim_slope", "shape/surface.hpp");
   document.prove({.text = R"(on the rim $S' = -r_1 u/\sqrt{1 - u^2}$)",
-                  .result = slope,
-                  .witness = -stone.bevel_major_radius * on_rim / root,
-                  .controls = scaled(slope)});
+                  .result = formula::rim_slope<ex>(stone, on_rim, root),
+                  .witness = -slope,
+                  .controls = {slope, formula::rim_slope<ex>(stone, root, on_rim), slope * ex(-1001) / 1000}});
   document.prove({.text = R"(and $S'' = -r_1/(1 - u^2)^{3/2} < 0$: it falls, up to the joint)",
                   .result = by_u(slope),
                   .witness = -stone.bevel_major_radius / pow(root, 3),

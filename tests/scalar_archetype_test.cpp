@@ -8,6 +8,7 @@
 #include <experimental/simd>
 #include <goishi/mass/inertia.hpp>
 #include <goishi/mass/tensor.hpp>
+#include <goishi/motion/elliptic_flight.hpp>
 #include <goishi/motion/free_flight.hpp>
 #include <goishi/motion/invariants.hpp>
 #include <goishi/motion/state.hpp>
@@ -157,6 +158,13 @@ Numbers elementary_motion_formulas() {
   add_split(formula::composition_2<T>());
   add_split(formula::composition_4<T>());
   add_split(formula::composition_6<T>());
+  const goishi::JacobiSolution<T> jacobi = formula::jacobi_solution(e.body.moments, e.w);
+  const goishi::elliptic::Jacobi<T> by{.sn = T(3) / T(5), .cn = T(4) / T(5), .dn = T(1) / T(2)};
+  const goishi::elliptic::Jacobi<T> at = formula::jacobi_sum(jacobi, by);
+  numbers.add(formula::jacobi_momentum(jacobi, T(-1), at));
+  numbers.add(formula::turn_about_momentum(jacobi, T(4), T(2), formula::third_kind_excess(jacobi, by.sn, at),
+                                           formula::momentum_longitude(jacobi, at), e.dt));
+  numbers.add(formula::turned_about_momentum(e.q, e.q, formula::shortest_to_z(e.w), e.dt, e.q));
   return numbers;
 }
 

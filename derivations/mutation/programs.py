@@ -37,7 +37,7 @@ def build(root, work, changed, programs):
         raise RuntimeError("proof.hpp does not count its failures where it did")
     write_if_changed(copy / "derivations/proof.hpp", proof)
     flags = f"-std=c++20 -w -include {root / 'derivations/mutation/mutation.hpp'}"
-    options = [f"-DGOISHI_BUILD_{part}=OFF" for part in ("CLI", "BENCHMARKS", "TESTS")]
+    options = [f"-DGOISHI_BUILD_{part}=OFF" for part in ("CLI", "VERIFY", "BENCHMARKS", "TESTS")]
     commands = [["cmake", "-S", copy, "-B", work / "build", "-G", "Ninja", "-DCMAKE_BUILD_TYPE=None",
                  f"-DCMAKE_CXX_FLAGS={flags}", "-DGOISHI_INSTALL=OFF", *options],
                 ["cmake", "--build", work / "build", "--parallel", "1", "--target",

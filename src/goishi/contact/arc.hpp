@@ -5,7 +5,9 @@
 #include <goishi/contact/contact.hpp>
 #include <limits>
 
-namespace goishi::detail {
+namespace goishi {
+
+namespace detail {
 
 /// The stone's centre, relative to the edge, and its axis, along the two normals a and b; `u_out` is the axis along the edge.
 template <class T>
@@ -25,29 +27,121 @@ struct ArcPoint {
   T lever;
 };
 
+/// What a normal of the arc sees of the stone.
+template <class T>
+struct ArcView {
+  T axial, axial_rate;  // m = u · n, and m' by t
+  T radial_square;      // 1 − m²
+  T centre, centre_rate;
+};
+
+}  // namespace detail
+
+namespace formula {
+
+/// u · n and p · n along n = (a, b) = (cos t, sin t), their slopes by t, and 1 − m² = m'² + u_out², where nothing
+/// cancels.
+/// Proof  derivations/edges.cpp, as of all below.
+template <Field T>
+[[nodiscard]] inline detail::ArcView<T> arc_view(const detail::Arc<T>& arc, const T& a, const T& b) {
+  const T axial_rate = arc.u_b * a - arc.u_a * b;
+  return {.axial = T(arc.u_a * a + arc.u_b * b),
+          .axial_rate = axial_rate,
+          .radial_square = T(scalar::sq(axial_rate) + scalar::sq(arc.u_out)),
+          .centre = T(arc.p_a * a + arc.p_b * b),
+          .centre_rate = T(arc.p_b * a - arc.p_a * b)};
+}
+
+/// The separation there, its slope and −f'' = f + r, where the normal meets the cap on its side of the stone: `axial`
+/// = |m|, `lever` = ±d.
+template <Field T>
+[[nodiscard]] inline detail::ArcPoint<T> arc_on_cap(const Stone<T>& stone, const detail::ArcView<T>& view, const T& a,
+                                                    const T& b, const T& axial, const T& lever) {
+  const T value = view.centre - formula::cap_support(stone, axial, view.radial_square);
+  return {.a = a,
+          .b = b,
+          .value = value,
+          .slope = T(view.centre_rate + lever * view.axial_rate),
+          .curvature = T(value + stone.sphere_radius),
+          .axial = view.axial,
+          .lever = lever};
+}
+
+/// The same where it meets the rim, whose outline is an ellipse, moved out by r₂: κ = r₁ m/n_r, −f'' = f + r₁
+/// u_out²/n_r³ + r₂.
+template <Field T>
+[[nodiscard]] inline detail::ArcPoint<T> arc_on_rim(const Stone<T>& stone, const detail::ArcView<T>& view, const T& a,
+                                                    const T& b, const T& u_out, const T& radial) {
+  const T value = view.centre - formula::rim_support(stone, radial);
+  const T ring = stone.bevel_major_radius / radial;
+  const T lever = ring * view.axial;
+  return {.a = a,
+          .b = b,
+          .value = value,
+          .slope = T(view.centre_rate + lever * view.axial_rate),
+          .curvature = T(value + ring * scalar::sq(u_out) / view.radial_square + stone.bevel_minor_radius),
+          .axial = view.axial,
+          .lever = lever};
+}
+
+/// What the separation would be at the normal (n_a, n_b), from its value and slope at another, if the outline's radius
+/// of curvature were ρ between them: (f + ρ) n₀ · n + f' n₀' · n − ρ, without adding ρ and taking it off, which may be
+/// many widths.
+template <Field T>
+[[nodiscard]] inline T arc_line(const detail::ArcPoint<T>& from, const T& rho, const T& n_a, const T& n_b) {
+  const T along = from.a * n_a + from.b * n_b, across = from.a * n_b - from.b * n_a;
+  const T chord2 = scalar::sq(T(n_a - from.a)) + scalar::sq(T(n_b - from.b));
+  return from.value * along + from.slope * across - rho * chord2 / T(2);
+}
+
+/// The vector w of which that is w · n − ρ, along (a, b).
+template <Field T>
+[[nodiscard]] inline T arc_line_a(const detail::ArcPoint<T>& from, const T& rho) {
+  return (from.value + rho) * from.a - from.slope * from.b;
+}
+template <Field T>
+[[nodiscard]] inline T arc_line_b(const detail::ArcPoint<T>& from, const T& rho) {
+  return (from.value + rho) * from.b + from.slope * from.a;
+}
+
+/// The radius of curvature of the rim's outline where 1 − m² = n_r² is `square`, `radial` its root: r₁ u_out²/n_r³ + r₂.
+template <Field T>
+[[nodiscard]] inline T arc_rim_radius(const Stone<T>& stone, const T& u_out, const T& square, const T& radial) {
+  return stone.bevel_minor_radius + stone.bevel_major_radius * scalar::sq(u_out) / (square * radial);
+}
+
+/// |v × u|² of v = p + x u across the edge, whatever x, `size_square` its square: of a thin stone only that tells one
+/// angle from another.
+template <Field T>
+[[nodiscard]] inline T arc_cap_radial_square(const detail::Arc<T>& arc, const T& size_square) {
+  return scalar::sq(T(arc.p_a * arc.u_b - arc.p_b * arc.u_a)) + size_square * scalar::sq(arc.u_out);
+}
+
+/// The separation reach − r where the normal is along p + `sign` d u, of the length reach, without that difference: of
+/// thin stones the two are large. reach² − r² = p² + 2 d p · u − d² u_out² − (r − d)(r + d), across the edge, u along
+/// the cap.
+template <Field T>
+[[nodiscard]] T arc_cap_value(const Stone<T>& stone, const detail::Arc<T>& arc, const T& sign, const T& reach) {
+  const T& d = stone.sphere_offset;
+  const T along = arc.p_a * arc.u_a + arc.p_b * arc.u_b;
+  const T square = scalar::sq(arc.p_a) + scalar::sq(arc.p_b) + T(2) * sign * d * along - scalar::sq(T(d * arc.u_out)) -
+                   stone.height / T(2) * (stone.sphere_radius + d);
+  return square / (reach + stone.sphere_radius);
+}
+
+}  // namespace formula
+
+namespace detail {
+
 template <Ordered T>
 [[nodiscard]] ArcPoint<T> arc_point(const Stone<T>& stone, const Arc<T>& arc, const T& a, const T& b) {
-  const T m = arc.u_a * a + arc.u_b * b;
-  const T m_rate = arc.u_b * a - arc.u_a * b;
-  const T square = scalar::sq(m_rate) + scalar::sq(arc.u_out);  // 1 − m², where nothing cancels
-  const Direction<T> n{.axial = m < T(0) ? T(-m) : m, .radial = scalar::sqrt(square), .radial_square = square};
-  const T centre = arc.p_a * a + arc.p_b * b, centre_rate = arc.p_b * a - arc.p_a * b;
-  if (meets_cap(stone, n)) {
-    const T lever = m < T(0) ? T(-stone.sphere_offset) : stone.sphere_offset;
-    const T value = centre - formula::cap_support(stone, n.axial, square);
-    return {a, b, value, T(centre_rate + lever * m_rate), T(value + stone.sphere_radius), m, lever};
-  }
-  // The rim's outline is an ellipse, moved out by r₂.
-  const T value = centre - formula::rim_support(stone, n.radial);
-  const T ring = stone.bevel_major_radius / n.radial;
-  const T lever = ring * m;
-  return {a,
-          b,
-          value,
-          T(centre_rate + lever * m_rate),
-          T(value + ring * scalar::sq(arc.u_out) / square + stone.bevel_minor_radius),
-          m,
-          lever};
+  const ArcView<T> view = formula::arc_view(arc, a, b);
+  const T& m = view.axial;
+  const Direction<T> n{
+      .axial = m < T(0) ? T(-m) : m, .radial = scalar::sqrt(view.radial_square), .radial_square = view.radial_square};
+  return meets_cap(stone, n) ? formula::arc_on_cap(stone, view, a, b, n.axial,
+                                                   m < T(0) ? T(-stone.sphere_offset) : T(stone.sphere_offset))
+                             : formula::arc_on_rim(stone, view, a, b, arc.u_out, n.radial);
 }
 
 /// Whether the cores of stone and board are apart along a normal. A local maximum of the separation where they are is the
@@ -66,10 +160,10 @@ template <Ordered T>
   if (!(T(0) < a && T(0) < b)) {
     return false;
   }
-  // n_r sin α <= m cos α, by squares; n × u is p × u, and of a thin stone only n_r tells one angle from another.
+  // n_r sin α <= m cos α, by squares.
   const T size2 = scalar::sq(a) + scalar::sq(b);
   const T m = sign * (arc.u_a * a + arc.u_b * b);
-  const T radial2 = scalar::sq(T(arc.p_a * arc.u_b - arc.p_b * arc.u_a)) + size2 * scalar::sq(arc.u_out);
+  const T radial2 = formula::arc_cap_radial_square(arc, size2);
   if (!(T(0) <= m && radial2 * scalar::sq(stone.joint_sine) <= scalar::sq(T(m * stone.joint_cosine)))) {
     return false;
   }
@@ -77,17 +171,6 @@ template <Ordered T>
   a = a / reach;
   b = b / reach;
   return true;
-}
-
-/// The separation reach − r there, without that difference: of thin stones the two are large.
-/// reach² − r² = p² + 2 d p · u − d² u_out² − (r − d)(r + d), across the edge, u along the cap.
-template <Ordered T>
-[[nodiscard]] T cap_value(const Stone<T>& stone, const Arc<T>& arc, const T& sign, const T& reach) {
-  const T& d = stone.sphere_offset;
-  const T along = arc.p_a * arc.u_a + arc.p_b * arc.u_b;
-  const T square = scalar::sq(arc.p_a) + scalar::sq(arc.p_b) + T(2) * sign * d * along - scalar::sq(T(d * arc.u_out)) -
-                   stone.height / T(2) * (stone.sphere_radius + d);
-  return square / (reach + stone.sphere_radius);
 }
 
 /// The normal that divides the chord of two others.
@@ -206,7 +289,7 @@ template <Ordered T>
     if (has_cap_maximum(stone, arc, sign, a, b, reach) && stone.core_sphere_radius < reach) {
       found = {.a = a,
                .b = b,
-               .value = cap_value(stone, arc, sign, reach),
+               .value = formula::arc_cap_value(stone, arc, sign, reach),
                .slope = T(0),
                .curvature = reach,
                .axial = arc.u_a * a + arc.u_b * b,
@@ -227,4 +310,5 @@ template <Ordered T>
   return is_apart(stone, found);
 }
 
-}  // namespace goishi::detail
+}  // namespace detail
+}  // namespace goishi

@@ -60,15 +60,8 @@ class ArcSearch {
   /// An upper bound of the separation between two normals, and the normal where their two lines meet.
   [[nodiscard]] T bound(const ArcPoint<T>& low, const ArcPoint<T>& high, T& a, T& b) const {
     const T rho = least_curvature(low, high);
-    // A line w · n, w = (value + ρ₀) n₀ + slope n₀', less ρ₀: without adding ρ₀ and taking it off, which may be many widths.
-    const auto line = [&](const ArcPoint<T>& from, const T& n_a, const T& n_b) {
-      const T along = from.a * n_a + from.b * n_b, across = from.a * n_b - from.b * n_a;
-      const T chord2 = scalar::sq(T(n_a - from.a)) + scalar::sq(T(n_b - from.b));
-      return T(from.value * along + from.slope * across - rho * chord2 / T(2));
-    };
-    const T low_f = low.value + rho, high_f = high.value + rho;
-    const T low_a = low_f * low.a - low.slope * low.b, low_b = low_f * low.b + low.slope * low.a;
-    const T high_a = high_f * high.a - high.slope * high.b, high_b = high_f * high.b + high.slope * high.a;
+    const T low_a = formula::arc_line_a(low, rho), low_b = formula::arc_line_b(low, rho);
+    const T high_a = formula::arc_line_a(high, rho), high_b = formula::arc_line_b(high, rho);
     const T out = low_a - high_a, up = low_b - high_b;  // low is the lower line where out · n < 0
     a = low.a + high.a;
     b = low.b + high.b;
@@ -82,7 +75,7 @@ class ArcSearch {
     a = a * over;
     b = b * over;
     const auto lower_line = [&](const T& n_a, const T& n_b) {
-      const T one = line(low, n_a, n_b), other = line(high, n_a, n_b);
+      const T one = formula::arc_line(low, rho, n_a, n_b), other = formula::arc_line(high, rho, n_a, n_b);
       return one < other ? one : other;
     };
     const T middle = lower_line(a, b);
@@ -111,8 +104,7 @@ class ArcSearch {
       return stone_.sphere_radius;
     }
     const T square = T(1) - least2;
-    const T rim = stone_.bevel_minor_radius +
-                  stone_.bevel_major_radius * scalar::sq(arc_.u_out) / (square * scalar::sqrt(square));
+    const T rim = formula::arc_rim_radius(stone_, arc_.u_out, square, scalar::sqrt(square));
     return rim < stone_.sphere_radius ? rim : stone_.sphere_radius;
   }
 

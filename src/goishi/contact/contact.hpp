@@ -62,6 +62,30 @@ struct Separation {
   bool certified = true;  // no normal separates more: proved by the method, or by equal primal and dual values
 };
 
+/// A point seen from the nearest point of a circle about an axis: put together along the radial direction and the
+/// axis, so that what is left of a point that all but is on the circle are the digits of two lengths.
+template <class T>
+struct FromRim {
+  T height;  // [m] of the point, along the axis
+  T beyond;  // [m] how far outside the circle's cylinder
+  Vec3<T> away;
+};
+
+namespace formula {
+
+/// Of a point v, both it and the circle of the radius r₁ about u seen from the circle's middle.
+/// Domain  v not on the axis.   Proof  derivations/edges.cpp.
+template <Elementary T>
+[[nodiscard]] inline FromRim<T> from_rim(const Vec3<T>& v, const Vec3<T>& u, const T& major_radius) {
+  const T height = formula::dot(u, v);
+  const Vec3<T> radial = formula::plus(v, T(-height), u);
+  const T rho = scalar::sqrt(formula::dot(radial, radial));
+  const T beyond = rho - major_radius;
+  return {.height = height, .beyond = beyond, .away = formula::combination(T(beyond / rho), radial, height, u)};
+}
+
+}  // namespace formula
+
 namespace detail {
 
 /// A stone in the world: all that contact needs of its attitude is the axis.
@@ -81,8 +105,7 @@ template <Ordered T>
 [[nodiscard]] Placed<T> place(const Stone<T>& stone, const Pose<T>& pose) {
   require_stone(stone);
   require_point(pose.p_WB, "position");
-  require_unit(pose.q_WB);
-  return {.stone = stone, .p_W = pose.p_WB, .u_W = formula::symmetry_axis(formula::reunited(pose.q_WB))};
+  return {.stone = stone, .p_W = pose.p_WB, .u_W = symmetry_axis(pose.q_WB)};
 }
 
 /// 2^e.
@@ -170,8 +193,8 @@ template <Ordered T>
   const bool cap = meets_cap(stone, n);
   const bool upper = !(seen.signed_axial < T(0));
   const T height = formula::cap_support_height(stone, n.axial, n.radial_square);
-  const T ring = stone.bevel_major_radius / n.radial;
-  const T across = cap ? stone.sphere_radius : T(ring + stone.bevel_minor_radius);
+  const T ring = formula::rim_support_reach(stone, n.radial);
+  const T across = cap ? stone.sphere_radius : ring;
   const T along = cap ? (upper ? height : T(-height)) : T(stone.bevel_minor_radius * seen.signed_axial);
   const Feature on_cap = upper ? Feature::upper_cap : Feature::lower_cap;
   return {.x_W = formula::combination(across, seen.radial_part, along, u_W), .feature = cap ? on_cap : Feature::rim};

@@ -35,10 +35,77 @@ enum class ImpactStatus {
   return names[static_cast<std::size_t>(status)];
 }
 
+/// One stone's part in the gap along a normal: −S(u(t) · n), u · n = A + B cos Ωt + C sin Ωt.
+template <class T>
+struct Wobble {
+  const Stone<T>* stone;
+  T A, B, C, rate;
+};
+
 namespace formula {
 
-/// The most that a turning stone adds to |H''|, H its gap along a normal   [m/s²]: d Ω² √(B² + C²), where the axis stands
-/// to the normal as u · n = A + B cos Ωt + C sin Ωt, and d is the greatest slope of the support, |S'|: the sphere's offset.
+/// Where the centre is at the time t.
+/// Proof  derivations/flight_path.cpp, as of all below but the last.
+template <Field T>
+[[nodiscard]] Vec3<T> centre_at(const FlightPath<T>& path, const T& t) {
+  return path.p_W + t * (path.v_W + t / T(2) * path.a_W);
+}
+
+/// The axis at the time t: u turned about k by Ωt (Rodrigues).
+template <Elementary T>
+[[nodiscard]] Vec3<T> axis_at(const FlightPath<T>& path, const T& t) {
+  const T angle = path.rate * t;
+  const Vec3<T> along = path.k_W.dot(path.u_W) * path.k_W;
+  return along + scalar::cos(angle) * (path.u_W - along) + scalar::sin(angle) * path.k_W.cross(path.u_W);
+}
+
+/// A = (k · u)(k · n), B = u · n − A, C = (k × u) · n.
+template <Field T>
+[[nodiscard]] Wobble<T> wobble(const Stone<T>& stone, const FlightPath<T>& path, const Vec3<T>& n) {
+  const T along = formula::dot(path.k_W, path.u_W) * formula::dot(path.k_W, n);
+  return {&stone, along, T(formula::dot(path.u_W, n) - along), formula::dot(formula::cross(path.k_W, path.u_W), n),
+          path.rate};
+}
+
+/// u · n where cos Ωt = c and sin Ωt = s, and its rate   [1/s].
+template <Field T>
+[[nodiscard]] inline T wobble_at(const Wobble<T>& part, const T& c, const T& s) {
+  return part.A + part.B * c + part.C * s;
+}
+template <Field T>
+[[nodiscard]] inline T wobble_rate(const Wobble<T>& part, const T& c, const T& s) {
+  return part.rate * (part.C * c - part.B * s);
+}
+
+/// c₀ + c₁ t + c₂ t²/2, and its rate.
+template <Field T>
+[[nodiscard]] inline T parabola(const T& c0, const T& c1, const T& c2, const T& t) {
+  return c0 + t * (c1 + t * c2 / T(2));
+}
+template <Field T>
+[[nodiscard]] inline T parabola_rate(const T& c1, const T& c2, const T& t) {
+  return c1 + t * c2;
+}
+
+/// H'² − 2 c H: what is under the root √ of the zeros of H + H' s + c s²/2.
+template <Field T>
+[[nodiscard]] inline T falling_square(const T& height, const T& rate, const T& c) {
+  return scalar::sq(rate) - T(2) * c * height;
+}
+
+/// The first zero s > 0 of H + H' s + c s²/2 from H >= 0, where it falls, H' < 0, and where it bends down, c < 0.
+template <Field T>
+[[nodiscard]] inline T falling_zero(const T& height, const T& rate, const T& root) {
+  return T(2) * height / (root - rate);
+}
+template <Field T>
+[[nodiscard]] inline T bending_zero(const T& rate, const T& root, const T& c) {
+  return (rate + root) / -c;
+}
+
+/// The most that a turning stone adds to |H''|, H its gap along a normal   [m/s²]: d Ω² √(B² + C²), where the axis
+/// stands to the normal as u · n = A + B cos Ωt + C sin Ωt, and d is the greatest slope of the support, |S'|: the
+/// sphere's offset.
 /// Proof  derivations/support.cpp.
 template <Elementary T>
 [[nodiscard]] T greatest_bend(const T& slope, const T& rate, const T& B, const T& C) {
@@ -48,32 +115,6 @@ template <Elementary T>
 }  // namespace formula
 
 namespace detail {
-
-template <Ordered T>
-[[nodiscard]] Vec3<T> centre_at(const FlightPath<T>& path, const T& t) {
-  return path.p_W + t * (path.v_W + t / T(2) * path.a_W);
-}
-
-template <Ordered T>
-[[nodiscard]] Vec3<T> axis_at(const FlightPath<T>& path, const T& t) {
-  const T angle = path.rate * t;
-  const Vec3<T> along = path.k_W.dot(path.u_W) * path.k_W;
-  return along + scalar::cos(angle) * (path.u_W - along) + scalar::sin(angle) * path.k_W.cross(path.u_W);
-}
-
-/// One stone's part in the gap along a normal: −S(u(t) · n), u · n = A + B cos Ωt + C sin Ωt.
-template <class T>
-struct Wobble {
-  const Stone<T>* stone;
-  T A, B, C, rate;
-};
-
-template <Ordered T>
-[[nodiscard]] Wobble<T> wobble(const Stone<T>& stone, const FlightPath<T>& path, const Vec3<T>& n) {
-  const T along = formula::dot(path.k_W, path.u_W) * formula::dot(path.k_W, n);
-  return {&stone, along, T(formula::dot(path.u_W, n) - along), formula::dot(formula::cross(path.k_W, path.u_W), n),
-          path.rate};
-}
 
 template <Ordered T>
 [[nodiscard]] T magnitude_of(const T& x) {
@@ -89,9 +130,9 @@ template <Ordered T>
   }
   const T root = scalar::sqrt(square);
   if (rate < T(0)) {
-    return T(2) * height / (root - rate);
+    return formula::falling_zero(height, rate, root);
   }
-  return c < T(0) ? T((rate + root) / -c) : never;
+  return c < T(0) ? formula::bending_zero(rate, root, c) : never;
 }
 
 /// The same of numbers whose squares are lost: in another unit of length.
@@ -102,12 +143,12 @@ template <Ordered T>
       *length = Squares<T>::larger * *length;
     }
   }
-  return falling_time_by(T(scalar::sq(rate) - T(2) * c * height), height, rate, c);
+  return falling_time_by(formula::falling_square(height, rate, c), height, rate, c);
 }
 
 template <Ordered T>
 [[gnu::always_inline]] [[nodiscard]] inline T falling_time(const T& height, const T& rate, const T& c) {
-  const T square = scalar::sq(rate) - T(2) * c * height;
+  const T square = formula::falling_square(height, rate, c);
   return magnitude_of(square) < Squares<T>::vanished ? falling_time_of_little(height, rate, c)
                                                      : falling_time_by(square, height, rate, c);
 }
@@ -133,21 +174,19 @@ class GapAlong {
   };
 
   [[nodiscard]] Value operator()(const T& t) const {
-    Value value{T(c0_ + t * (c1_ + t * c2_ / T(2))), T(c1_ + t * c2_)};
+    Value value{formula::parabola(c0_, c1_, c2_, t), formula::parabola_rate(c1_, c2_, t)};
     for (int i = 0; i < count_; ++i) {
       const Wobble<T>& part = parts_[static_cast<std::size_t>(i)];
       const T angle = part.rate * t;
       const T c = scalar::cos(angle), s = scalar::sin(angle);
-      const T u = part.A + part.B * c + part.C * s;
-      const T u_rate = part.rate * (part.C * c - part.B * s);
+      const T u = formula::wobble_at(part, c, s), u_rate = formula::wobble_rate(part, c, s);
       const Direction<T> n = seen(u);
       const bool cap = meets_cap(*part.stone, n);
       const T& d = part.stone->sphere_offset;
       value.gap = value.gap - (cap ? formula::cap_support(*part.stone, n.axial, n.radial_square)
                                    : formula::rim_support(*part.stone, n.radial));
-      // S' = −d on the cap, −r₁ u/n_r on the rim.
-      value.rate =
-          value.rate + (cap ? (u < T(0) ? T(-d) : d) : T(part.stone->bevel_major_radius * u / n.radial)) * u_rate;
+      // −S' by u · n: d on the cap, on either side.
+      value.rate = value.rate + (cap ? (u < T(0) ? T(-d) : d) : formula::rim_slope(*part.stone, u, n.radial)) * u_rate;
     }
     return value;
   }
@@ -163,11 +202,11 @@ class GapAlong {
     for (int i = 0; i < count_; ++i) {
       const Wobble<T>& part = parts_[static_cast<std::size_t>(i)];
       const T angle = part.rate * t, swing = scalar::sqrt(T(scalar::sq(part.B) + scalar::sq(part.C)));
-      const T now = magnitude_of(T(part.A + part.B * scalar::cos(angle) + part.C * scalar::sin(angle)));
+      const T now = magnitude_of(formula::wobble_at(part, scalar::cos(angle), scalar::sin(angle)));
       const T later = now + swing * magnitude_of(part.rate) * s, most = magnitude_of(part.A) + swing;
       const Direction<T> n = seen(later < most ? later : most);
-      const T slope = meets_cap(*part.stone, n) ? part.stone->sphere_offset
-                                                : T(part.stone->bevel_major_radius * n.axial / n.radial);
+      const T slope =
+          meets_cap(*part.stone, n) ? part.stone->sphere_offset : formula::rim_slope(*part.stone, n.axial, n.radial);
       bend = bend + formula::greatest_bend(slope, part.rate, part.B, part.C);
     }
     return bend;
@@ -176,8 +215,8 @@ class GapAlong {
   /// The next time, from t, at which the centres are so near that the bodies could touch, to `nothing`: t itself, or when
   /// the parabola comes down to the highest support that the wobbles reach; infinity when it does not.
   [[nodiscard]] T within_reach(const T& t, const T& nothing) const {
-    const T over = c0_ + t * (c1_ + t * c2_ / T(2)) - (highest_ + nothing);
-    return T(0) < over ? T(t + falling_time(over, T(c1_ + t * c2_), c2_)) : t;
+    const T over = formula::parabola(c0_, c1_, c2_, t) - (highest_ + nothing);
+    return T(0) < over ? T(t + falling_time(over, formula::parabola_rate(c1_, c2_, t), c2_)) : t;
   }
 
  private:
@@ -323,8 +362,8 @@ void require_path(const Stone<T>& stone, const FlightPath<T>& path) {
 
 template <Ordered T>
 [[nodiscard]] Placed<T> placed_at(const Stone<T>& stone, const FlightPath<T>& path, const T& t) {
-  const Vec3<T> u = axis_at(path, t);
-  return {.stone = stone, .p_W = centre_at(path, t), .u_W = u / u.norm()};
+  const Vec3<T> u = formula::axis_at(path, t);
+  return {.stone = stone, .p_W = formula::centre_at(path, t), .u_W = u / u.norm()};
 }
 
 }  // namespace detail

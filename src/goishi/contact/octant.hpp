@@ -77,22 +77,9 @@ class Octant {
     return p_[k] + arc_point(stone_, edge, found.a, found.b).lever * u_[k] <= round_off();
   }
 
-  /// The corner seen from the nearest point of the core's rim. Put together along the radial direction and the axis: where
-  /// a sharp rim all but touches the corner, what is left are the digits of two lengths, and any that they leave is a
-  /// normal there.
-  struct CornerFromRim {
-    T height;  // of the stone's centre over the corner, along u
-    T beyond;  // how far outside the rim's cylinder the corner is
-    Vec3<T> away;
-  };
-
-  [[nodiscard]] CornerFromRim corner_from_rim() const {
-    const T height = formula::dot(u_, p_);
-    const Vec3<T> radial = formula::plus(p_, T(-height), u_);
-    const T rho = scalar::sqrt(formula::dot(radial, radial));
-    const T beyond = rho - stone_.bevel_major_radius;
-    return {.height = height, .beyond = beyond, .away = formula::combination(T(beyond / rho), radial, height, u_)};
-  }
+  /// The corner seen from the nearest point of the core's rim: where a sharp rim all but touches it, any digits that
+  /// are left are a normal.
+  [[nodiscard]] FromRim<T> corner_from_rim() const { return formula::from_rim<T>(p_, u_, stone_.bevel_major_radius); }
 
   [[nodiscard]] bool find_apart_at_corner(OctantMaximum<T>& best) const {
     const ArcPoint<T> surface = arc_point(stone_, arc(2, 0), T(1), T(0));
@@ -101,7 +88,7 @@ class Octant {
       return true;
     }
     // The corner's distance from the core: from a cap's sphere, or from the rim.
-    const CornerFromRim rim = corner_from_rim();
+    const FromRim<T> rim = corner_from_rim();
     const T upwards = rim.height < T(0) ? T(-1) : T(1);
     const bool cap = rim.beyond * stone_.sphere_offset <= stone_.bevel_major_radius * upwards * rim.height;
     const Vec3<T> away = cap ? formula::plus(p_, T(upwards * stone_.sphere_offset), u_) : rim.away;
@@ -171,7 +158,7 @@ class Octant {
         }
       }
     }
-    const CornerFromRim rim = corner_from_rim();
+    const FromRim<T> rim = corner_from_rim();
     if (T(0) < rim.beyond && is_inside(rim.away)) {
       try_normal(rim.away / rim.away.norm(), best);
     }

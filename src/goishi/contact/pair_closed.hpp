@@ -4,7 +4,42 @@
 
 #include <goishi/contact/pair.hpp>
 
-namespace goishi::detail {
+namespace goishi {
+
+namespace detail {
+
+/// How two points of two circles turn towards being nearest.
+template <class T>
+struct RimsTurn {
+  T bend1, bend2;  // [m] second derivatives of half the distance's square, over the radii
+  T determinant;   // [m²]
+  T step1, step2;  // [m²] Newton's steps, times the determinant
+};
+
+}  // namespace detail
+
+namespace formula {
+
+/// Half the square of w, which leads from a point of one circle to one of another, by the two angles: its slopes over
+/// c_i, its second derivatives over c_i and c₁ c₂, and Newton's step. e leads out to a circle's point, f along it; c
+/// is its radius.
+/// Domain  a determinant that is not zero.   Proof  derivations/edges.cpp.
+template <Field T>
+[[nodiscard]] inline detail::RimsTurn<T> rims_turn(const Vec3<T>& w, const T& c1, const Vec3<T>& e1, const Vec3<T>& f1,
+                                                   const T& c2, const Vec3<T>& e2, const Vec3<T>& f2) {
+  const T slope1 = -formula::dot(w, f1), slope2 = -formula::dot(w, f2);
+  const T bend1 = c1 + formula::dot(w, e1), bend2 = c2 + formula::dot(w, e2);
+  const T mixed = formula::dot(f1, f2);
+  return {.bend1 = bend1,
+          .bend2 = bend2,
+          .determinant = T(bend1 * bend2 - scalar::sq(mixed) * c1 * c2),
+          .step1 = T(c2 * mixed * slope2 - bend2 * slope1),
+          .step2 = T(c1 * mixed * slope1 - bend1 * slope2)};
+}
+
+}  // namespace formula
+
+namespace detail {
 
 /// The centre of the sphere of the cap that looks along `sign` u, from the stone's centre, seen along −n: what a cap adds to
 /// D · n is sign d u · n − R.
@@ -17,11 +52,8 @@ template <Ordered T>
 /// point is not outside the rim's cylinder: then the rim's nearest point is not the one that is met along the normal.
 template <Ordered T>
 [[nodiscard]] Vec3<T> from_rim(const Vec3<T>& v, const Placed<T>& placed) {
-  const T height = formula::dot(v, placed.u_W);
-  const Vec3<T> radial = formula::plus(v, T(-height), placed.u_W);
-  const T rho = scalar::sqrt(formula::dot(radial, radial));
-  const T beyond = rho - placed.stone.bevel_major_radius;
-  return T(0) < beyond ? formula::combination(T(beyond / rho), radial, height, placed.u_W) : Vec3<T>(T(0), T(0), T(0));
+  const FromRim<T> seen = formula::from_rim(v, placed.u_W, placed.stone.bevel_major_radius);
+  return T(0) < seen.beyond ? seen.away : Vec3<T>(T(0), T(0), T(0));
 }
 
 // & and not && below: each condition is as good as random, and a branch for each would be guessed wrong.
@@ -107,15 +139,11 @@ void turn_to_nearest_rims(const Pair<T>& pair, Vec3<T>& along) {
   }
   for (int step = 0; step < most_steps; ++step) {
     const Vec3<T> w = formula::plus(formula::plus(pair.between, T(-c[0]), e[0]), T(-c[1]), e[1]);
-    const T slope[2] = {T(-formula::dot(w, f[0])), T(-formula::dot(w, f[1]))};  // each over c
-    const T bend[2] = {T(c[0] + formula::dot(w, e[0])), T(c[1] + formula::dot(w, e[1]))};
-    const T mixed = formula::dot(f[0], f[1]);
-    const T determinant = bend[0] * bend[1] - scalar::sq(mixed) * c[0] * c[1];
-    if (!(T(0) < bend[0] && T(0) < bend[1] && T(0) < determinant)) {
+    const RimsTurn<T> newton = formula::rims_turn(w, c[0], e[0], f[0], c[1], e[1], f[1]);
+    if (!(T(0) < newton.bend1 && T(0) < newton.bend2 && T(0) < newton.determinant)) {
       return;
     }
-    const T turn[2] = {T((c[1] * mixed * slope[1] - bend[1] * slope[0]) / determinant),
-                       T((c[0] * mixed * slope[0] - bend[0] * slope[1]) / determinant)};
+    const T turn[2] = {T(newton.step1 / newton.determinant), T(newton.step2 / newton.determinant)};
     const T turn2 = scalar::sq(turn[0]) + scalar::sq(turn[1]);
     if (!(turn2 < T(1))) {
       return;
@@ -156,4 +184,5 @@ void try_caps(const Pair<T>& pair, PairPoint<T>& best) {
   }
 }
 
-}  // namespace goishi::detail
+}  // namespace detail
+}  // namespace goishi

@@ -14,7 +14,47 @@
 #include <array>
 #include <goishi/contact/pair.hpp>
 
-namespace goishi::detail {
+namespace goishi {
+
+namespace detail {
+
+/// A point of the first circle, x = D + c₁ (a e + b f), seen from the second stone's centre.
+template <class T>
+struct RimPoint {
+  T a, b;
+  T rho, distance;  // from the second's axis; from its circle
+  T slope;          // of half the distance's square, by the angle
+  T bend;           // its second derivative
+};
+
+}  // namespace detail
+
+namespace formula {
+
+/// The point at the angle (a, b) = (cos φ, sin φ) of the circle `centre` + a `cosine` + b `sine`, its radius c₁, and
+/// its distance from the circle of the radius c₂ about z: x' = v and x'' = −out, so that ρ' = rise/ρ and ρ'' = (swirl²
+/// − inward)/ρ.
+/// Domain  not on z.   Proof  derivations/edges.cpp.
+template <Elementary T>
+[[nodiscard]] inline detail::RimPoint<T> rim_point(const Vec3<T>& centre, const Vec3<T>& cosine, const Vec3<T>& sine,
+                                                   const T& c1, const T& c2, const T& a, const T& b) {
+  const Vec3<T> out = formula::combination(a, cosine, b, sine), v = formula::combination(T(-b), cosine, a, sine);
+  const T x = centre.x() + out.x(), y = centre.y() + out.y(), z = centre.z() + out.z();
+  const T rho = scalar::sqrt(T(scalar::sq(x) + scalar::sq(y))), over = T(1) / rho;
+  const T near = c2 * over, outward = rho - c2;
+  const T rise = x * v.x() + y * v.y(), swirl = (x * v.y() - y * v.x()) * over;
+  const T inward = x * out.x() + y * out.y();
+  return {.a = a,
+          .b = b,
+          .rho = rho,
+          .distance = scalar::sqrt(T(scalar::sq(outward) + scalar::sq(z))),
+          .slope = T(rise * (T(1) - near) + z * v.z()),
+          .bend = T(scalar::sq(c1) - inward - z * out.z() - near * (scalar::sq(swirl) - inward))};
+}
+
+}  // namespace formula
+
+namespace detail {
 
 /// A unit vector across another.
 template <Ordered T>
@@ -69,32 +109,14 @@ class RimSearch {
   }
 
  private:
-  /// A point of the first circle: x = D + c₁ (a e + b f), seen from the second stone's centre.
-  struct RimPoint {
-    T a, b;
-    T rho, distance;  // from the second's axis; from its circle
-    T slope;          // of half the distance's square, by the angle
-    T bend;           // its second derivative
-  };
+  using RimPoint = detail::RimPoint<T>;
 
   [[nodiscard]] Vec3<T> place_of(const T& a, const T& b) const {
     return formula::plus(pair_.between, c1_, formula::combination(a, e_, b, f_));
   }
 
-  /// By the second stone's axes x' = v and x'' = −out, so that ρ' = rise/ρ and ρ'' = (swirl² − inward)/ρ.
   [[nodiscard]] RimPoint at(const T& a, const T& b) const {
-    const Vec3<T> out = formula::combination(a, cosine_, b, sine_), v = formula::combination(T(-b), cosine_, a, sine_);
-    const T x = centre_.x() + out.x(), y = centre_.y() + out.y(), z = centre_.z() + out.z();
-    const T rho = scalar::sqrt(T(scalar::sq(x) + scalar::sq(y))), over = T(1) / rho;
-    const T near = c2_ * over, outward = rho - c2_;
-    const T rise = x * v.x() + y * v.y(), swirl = (x * v.y() - y * v.x()) * over;
-    const T inward = x * out.x() + y * out.y();
-    return {.a = a,
-            .b = b,
-            .rho = rho,
-            .distance = scalar::sqrt(T(scalar::sq(outward) + scalar::sq(z))),
-            .slope = rise * (T(1) - near) + z * v.z(),
-            .bend = scalar::sq(c1_) - inward - z * out.z() - near * (scalar::sq(swirl) - inward)};
+    return formula::rim_point(centre_, cosine_, sine_, c1_, c2_, a, b);
   }
 
   [[nodiscard]] bool go_round() {
@@ -209,4 +231,5 @@ class RimSearch {
   bool apart_ = false, complete_ = true;
 };
 
-}  // namespace goishi::detail
+}  // namespace detail
+}  // namespace goishi

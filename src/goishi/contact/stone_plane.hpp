@@ -49,11 +49,8 @@ template <Ordered T>
   detail::require_stone(stone);
   detail::require_point(pose.p_WB, "position");
   require_unit(pose.q_WB);
-  const Quat<T> q = pose.q_WB;
-  const T ux = T(2) * (q.x() * q.z() + q.w() * q.y()), uy = T(2) * (q.y() * q.z() - q.w() * q.x());
-  const T square = scalar::sq(ux) + scalar::sq(uy);
-  const T z = T(1) - T(2) * (scalar::sq(q.x()) + scalar::sq(q.y()));
-  const detail::Direction<T> n{.axial = z < T(0) ? T(-z) : z, .radial = scalar::sqrt(square), .radial_square = square};
+  // What a stone sees of the plane's normal is what the plane sees of its axis.
+  const detail::Direction<T> n = detail::direction(formula::symmetry_axis(pose.q_WB));
   return detail::meets_cap(stone, n) ? formula::cap_gap(stone, pose.p_WB.z(), n.axial, n.radial_square)
                                      : formula::rim_gap(stone, pose.p_WB.z(), n.radial);
 }

@@ -78,7 +78,7 @@ template <Ordered T>
 [[nodiscard]] GapAlong<T> gap_along(const Stone<T>& stone, const FlightPath<T>& path, const Vec3<T>& n,
                                     const T& offset) {
   GapAlong<T> gap(T(formula::dot(n, path.p_W) - offset), formula::dot(n, path.v_W), formula::dot(n, path.a_W));
-  gap.add(wobble(stone, path, n));
+  gap.add(formula::wobble(stone, path, n));
   return gap;
 }
 
@@ -171,8 +171,8 @@ template <Ordered T>
         const Vec3<T>& n = contact.n_W;
         detail::GapAlong<T> gap(n.dot(Vec3<T>(path.p_W - other_path.p_W)), n.dot(Vec3<T>(path.v_W - other_path.v_W)),
                                 n.dot(Vec3<T>(path.a_W - other_path.a_W)));
-        gap.add(detail::wobble(stone, path, n));
-        gap.add(detail::wobble(other, other_path, n));
+        gap.add(formula::wobble(stone, path, n));
+        gap.add(formula::wobble(other, other_path, n));
         return gap;
       });
 }

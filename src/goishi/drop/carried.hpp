@@ -18,6 +18,17 @@ template <Elementary T>
   return Quat<T>(T(w / size), T(axis.x() / size), T(axis.y() / size), T(axis.z() / size));
 }
 
+/// The attitude q_a of a body whose axis was a, carried with the axis to u by the shortest rotation, and turned by an
+/// angle ψ about it: shortest(a, u) q_a (cos ψ/2, ẑ sin ψ/2).
+/// Domain  a ≠ −u.   Proof  derivations/contact_phase.cpp.
+template <Elementary T>
+[[nodiscard]] Quat<T> carried_attitude(const Vec3<T>& a, const Quat<T>& q_a, const Vec3<T>& u, const T& spin) {
+  const Quat<T> carried = formula::shortest_rotation(a, u);
+  const T half = spin / T(2);
+  const Quat<T> spun(scalar::cos(half), T(0), T(0), scalar::sin(half));
+  return formula::product(formula::product(carried, q_a), spun);
+}
+
 /// Rate of the angle ψ by which a body has turned about its axis u, beyond the shortest rotation from a to u   [1/s]:
 ///
 ///     q = shortest(a, u) q_a spin(ψ),   ψ̇ = ω · u + a · (u × u̇) / (1 + a · u)

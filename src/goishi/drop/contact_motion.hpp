@@ -38,6 +38,13 @@ struct ContactMotion {
   Vec3<T> need;        // [m/s²]
 };
 
+/// What forces and torques make of a motion in contact, or a motion itself.
+template <class T>
+struct ContactGain {
+  Vec3<T> point;  // [m/s] velocity of the contact point
+  Vec3<T> w;      // [1/s] ω
+};
+
 namespace formula {
 
 /// On a cap, S = r − d |η|. `side` is 1 on the lower cap (η > 0), −1 on the upper.
@@ -93,6 +100,33 @@ template <Field T>
   return now;
 }
 
+/// What a torque τ does to the contact point   [m/s²]: J τ × r.
+/// Proof  derivations/contact_motion.cpp.
+template <Field T>
+[[nodiscard]] inline Vec3<T> turned_point(const Mobility<T>& mobility, const Vec3<T>& u, const Vec3<T>& r,
+                                          const Vec3<T>& torque) {
+  return formula::cross(formula::turning(mobility, u, torque), r);
+}
+
+/// What a force F at the contact and a torque τ beside it add in a unit of time, or impulses at once: W F + J τ × r to
+/// the velocity of the contact point, J (τ + r × F) to ω.
+/// Proof  derivations/contact_phase.cpp.
+template <Field T>
+[[nodiscard]] inline ContactGain<T> contact_gain(const Mobility<T>& mobility, const ContactMotion<T>& now,
+                                                 const Vec3<T>& force, const Vec3<T>& torque) {
+  const Vec3<T> w = formula::turning(mobility, now.u, torque);
+  return {formula::plus(formula::product(now.W, force), formula::cross(w, now.r)),
+          formula::plus(w, formula::turning(mobility, now.u, formula::cross(now.r, force)))};
+}
+
+/// What they do on a motion: F · point + τ · ω. On the motion before and half of their own gain, that is the change of
+/// the kinetic energy.
+/// Proof  derivations/contact_phase.cpp.
+template <Field T>
+[[nodiscard]] inline T contact_work(const Vec3<T>& force, const Vec3<T>& torque, const ContactGain<T>& motion) {
+  return formula::dot(force, motion.point) + formula::dot(torque, motion.w);
+}
+
 /// Rolling resistance and pivot friction: their torque per normal force   [m]
 ///
 ///     τ = −(δ² ω_h + κ² ω_z) / √(δ² |ω_h|² + κ² ω_z²)
@@ -122,6 +156,13 @@ template <Field T>
           T(over * (need.x() * m_z - W.xx * q - W.xy * s))};
 }
 
+/// Velocity of the centre of mass of a stone whose contact point slips with (s_x, s_y)   [m/s]: s − ω × r.
+/// Proof  derivations/contact_phase.cpp.
+template <Field T>
+[[nodiscard]] inline Vec3<T> centre_velocity(const ContactMotion<T>& now, const T& s_x, const T& s_y) {
+  return {T(s_x - now.point.x()), T(s_y - now.point.y()), T(-now.point.z())};
+}
+
 /// Kinetic energy of a stone in contact whose contact point slips with (s_x, s_y)   [m²/s²]: ½ (L · ω + |v|²), with
 /// v = s − ω × r along the plane and v_z = −(ω × r)_z.
 /// Proof  derivations/contact_motion.cpp.
@@ -130,6 +171,22 @@ template <Field T>
   return (formula::dot(now.L, now.w) + scalar::sq(T(s_x - now.point.x())) + scalar::sq(T(s_y - now.point.y())) +
           scalar::sq(now.point.z())) /
          T(2);
+}
+
+/// The factor of all velocities that takes so much of a kinetic energy.
+/// Domain  no more than all of it.   Proof  derivations/contact_phase.cpp.
+template <Elementary T>
+[[nodiscard]] inline T slowing(const T& taken, const T& kinetic) {
+  return scalar::sqrt(T(T(1) - taken / kinetic));
+}
+
+/// The energy of a stone in contact, its centre over (x, y), with this kinetic energy   [m²/s²]: zero potential at the
+/// origin.
+/// Proof  derivations/contact_phase.cpp.
+template <Field T>
+[[nodiscard]] inline T contact_energy(const ContactMotion<T>& now, const Vec3<T>& gravity, const T& x, const T& y,
+                                      const T& kinetic) {
+  return kinetic - (gravity.x() * x + gravity.y() * y + gravity.z() * now.height);
 }
 
 }  // namespace formula

@@ -286,11 +286,11 @@ class ContactPhase {
     const std::array<T, 2> slip = contact_.slip();
     // The centre keeps its velocity, not the contact point its slip.
     const Kinetics<T> turning = kinetics(body_, contact_.feature, contact_.y);
-    const T v_x = slip[0] - turning.point.x(), v_y = slip[1] - turning.point.y();
+    const Vec3<T> v = formula::centre_velocity(turning, slip[0], slip[1]);
     contact_.y[at::L] = contact_.y[at::L + 1] = contact_.y[at::L + 2] = T(0);
     const Kinetics<T> now = kinetics(body_, contact_.feature, contact_.y);
     LockedSlide<T> slide(run_, now.r);
-    typename LockedSlide<T>::Motion motion = {contact_.y[at::x], contact_.y[at::y], v_x, v_y};
+    typename LockedSlide<T>::Motion motion = {contact_.y[at::x], contact_.y[at::y], v.x(), v.y()};
     Variables<T> where = contact_.y;
     const auto inside = [&](const T& x, const T& y) {
       where[at::x] = x;

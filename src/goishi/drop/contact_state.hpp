@@ -62,10 +62,7 @@ class ContactState {
 
   [[nodiscard]] Quat<T> attitude() const {
     const Vec3<T> u = Vec3<T>(y[at::u], y[at::u + 1], y[at::u + 2]).normalized();
-    const Quat<T> carried = formula::shortest_rotation(origin, u);
-    const T half = y[at::spin] / T(2);
-    const Quat<T> spun(scalar::cos(half), T(0), T(0), scalar::sin(half));
-    return formula::reunited(formula::product(formula::product(carried, q_origin), spun));
+    return formula::reunited(formula::carried_attitude(origin, q_origin, u, y[at::spin]));
   }
 
   /// Takes |u| back to 1, and angles that have gone round, which would lose digits.
@@ -95,7 +92,7 @@ class ContactState {
     const std::array<T, 2> s = slip();
     run.state.p_WB = {y[at::x], y[at::y], T(run.level + now.height)};
     run.state.q_WB = attitude();
-    run.state.v_WB = {T(s[0] - now.point.x()), T(s[1] - now.point.y()), T(-now.point.z())};
+    run.state.v_WB = formula::centre_velocity(now, s[0], s[1]);
     run.state.L_W = run.body.mass * now.L;
     run.contact_W = run.state.p_WB + now.r;
   }

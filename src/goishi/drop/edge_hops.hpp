@@ -137,7 +137,7 @@ class EdgeHops {
     const T excess = run_.energy() - least_energy_ - run_.body.mass * scalar::sq(*run_.settings.edge_speed) / T(2);
     const T kinetic = kinetic_energy_now();
     if (T(0) < excess && T(0) < kinetic) {
-      const T scale = excess < kinetic ? T(scalar::sqrt(T(T(1) - excess / kinetic))) : T(0);
+      const T scale = excess < kinetic ? formula::slowing(excess, kinetic) : T(0);
       run_.state.v_WB = scale * run_.state.v_WB;
       run_.state.L_W = scale * run_.state.L_W;
     }

@@ -43,7 +43,7 @@ class EnergyBalance {
     if (!(T(0) < now.kinetic)) {
       return;
     }
-    const T factor = scalar::sqrt(T(T(1) - taken / now.kinetic));
+    const T factor = formula::slowing(taken, now.kinetic);
     for (std::size_t i = at::L; i < at::L + 3; ++i) {
       y[i] = factor * y[i];
     }
@@ -61,9 +61,8 @@ class EnergyBalance {
   /// Per unit of mass, at variables that `equations` saw last   [m²/s²].
   template <class Equations>
   [[nodiscard]] Energy energy_of(const Equations& equations, const Variables<T>& y) const {
-    const Vec3<T>& g = contact_.body.gravity;
     const T kinetic = formula::contact_kinetic_energy(equations.now, equations.slip_x(y), equations.slip_y(y));
-    return {kinetic, T(kinetic - (g.x() * y[at::x] + g.y() * y[at::y] + g.z() * equations.now.height))};
+    return {kinetic, formula::contact_energy(equations.now, contact_.body.gravity, y[at::x], y[at::y], kinetic)};
   }
 
   ContactState<T>& contact_;

@@ -9,7 +9,20 @@
 #include <goishi/drop/run.hpp>
 #include <goishi/impact/laws.hpp>
 
-namespace goishi::detail {
+namespace goishi {
+
+namespace formula {
+
+/// How long bounces take in all that leave the plane with v, e v, e² v …   [s]: 2 v/(g (1 − e)).
+/// Domain  g > 0, e < 1.   Proof  derivations/contact_phase.cpp.
+template <Field T>
+[[nodiscard]] T bounces_time(const T& v, const T& g, const T& restitution) {
+  return T(2) * v / (g * (T(1) - restitution));
+}
+
+}  // namespace formula
+
+namespace detail {
 
 template <Ordered T>
 class FlightPhase {
@@ -205,10 +218,10 @@ class FlightPhase {
     return scalar::sqrt(T(scalar::sq(v.x()) + scalar::sq(v.y()))) <= small * *run_.settings.closing_speed;
   }
 
-  /// Infinitely many bounces, v, e v, e² v …: 2 v/(g (1 − e)) in all   [s].
+  /// Infinitely many bounces   [s].
   [[nodiscard]] T closing_time() const {
     const T v = run_.state.v_WB.z();  // round-off of zero after a plastic impact
-    return T(0) < v ? T(T(2) * v / (-run_.settings.gravity.z() * (T(1) - material_.restitution))) : T(0);
+    return T(0) < v ? formula::bounces_time(v, T(-run_.settings.gravity.z()), material_.restitution) : T(0);
   }
 
   /// Whether the way along the plane that the bounces take meets no edge and no side.
@@ -305,4 +318,5 @@ class FlightPhase {
   T margin_ = T(2);  // [ε] of pushing out
 };
 
-}  // namespace goishi::detail
+}  // namespace detail
+}  // namespace goishi

@@ -92,8 +92,8 @@ class Gliding {
   [[nodiscard]] GlideRate<T> slip_rate_at(const T& s_x, const T& s_y) {
     ratio_ = smooth_friction(body_, T(scalar::sq(s_x) + scalar::sq(s_y)), T(now.w.z()));
     GlideRate<T> slip = formula::glide_rate(now.W, now.brake, now.need, ratio_, s_x, s_y);
-    slip.x = slip.x - body_.damping * s_x;
-    slip.y = slip.y - body_.damping * s_y;
+    slip.x = formula::damped(slip.x, body_.damping, s_x);
+    slip.y = formula::damped(slip.y, body_.damping, s_y);
     return slip;
   }
 
@@ -101,7 +101,7 @@ class Gliding {
     const T &s_x = y[at::slip], &s_y = y[at::direction];
     room_ = slip.denominator - jam_margin(now.W.zz);
     jams_ = jams_ || !(T(0) < room_);
-    force = {T(-(slip.N * ratio_ * s_x)), T(-(slip.N * ratio_ * s_y)), slip.N};
+    force = formula::friction_force(slip.N, T(slip.N * ratio_), s_x, s_y);
     Variables<T> rate = rates(body_, now, force, s_x, s_y, origin_);
     rate[at::slip] = slip.x;
     rate[at::direction] = slip.y;
@@ -122,7 +122,7 @@ class Gliding {
       if (!(T(0) < rate.denominator)) {
         return false;
       }
-      const SlipSlope slope = slip_slope(rate, s_x, s_y);
+      const GlideSlope<T> slope = slip_slope(rate, s_x, s_y);
       const T xx = T(1) - reach * slope.xx, xy = -(reach * slope.xy), yx = -(reach * slope.yx);
       const T yy = T(1) - reach * slope.yy;
       const T r_x = from_x + reach * rate.x - s_x, r_y = from_y + reach * rate.y - s_y;
@@ -145,27 +145,11 @@ class Gliding {
     return false;
   }
 
-  /// d ṡ/d s.
-  struct SlipSlope {
-    T xx, xy, yx, yy;
-  };
-
-  [[nodiscard]] SlipSlope slip_slope(const GlideRate<T>& rate, const T& s_x, const T& s_y) const {
-    const ContactMatrix<T>& W = now.W;
-    // Of the friction per normal force g = k s: k (1 − s sᵀ/root²), or k alone where k is a constant.
+  [[nodiscard]] GlideSlope<T> slip_slope(const GlideRate<T>& rate, const T& s_x, const T& s_y) const {
     const T share = body_.model == FrictionModel::slip_proportional || !(T(0) < ratio_)
                         ? T(0)
                         : T(scalar::sq(T(ratio_ / body_.friction)));
-    const T g_xx = ratio_ * (T(1) - share * s_x * s_x), g_xy = -(ratio_ * share * s_x * s_y);
-    const T g_yy = ratio_ * (T(1) - share * s_y * s_y);
-    const T over = rate.N / rate.denominator;
-    const T p_x = W.xz + now.brake.x() - ratio_ * (W.xx * s_x + W.xy * s_y);
-    const T p_y = W.yz + now.brake.y() - ratio_ * (W.xy * s_x + W.yy * s_y);
-    const auto by = [&](const T& g_x, const T& g_y, const T& p, const T& w_x, const T& w_y) {
-      return T(over * (W.xz * g_x + W.yz * g_y) * p - rate.N * (w_x * g_x + w_y * g_y));
-    };
-    return {T(by(g_xx, g_xy, p_x, W.xx, W.xy) - body_.damping), by(g_xy, g_yy, p_x, W.xx, W.xy),
-            by(g_xx, g_xy, p_y, W.xy, W.yy), T(by(g_xy, g_yy, p_y, W.xy, W.yy) - body_.damping)};
+    return formula::glide_slope(now.W, now.brake, rate, ratio_, share, s_x, s_y, body_.damping);
   }
 
   const ContactBody<T>& body_;

@@ -10,7 +10,9 @@
 #include <goishi/drop/slip.hpp>
 #include <goishi/shape/surface.hpp>
 
-namespace goishi::detail {
+namespace goishi {
+
+namespace detail {
 
 /// What of the stone, its mass and the settings the contact phase needs, once per drop. Everything per unit of mass.
 template <class T>
@@ -48,6 +50,57 @@ struct Kinetics : ContactMotion<T> {
   Vec3<T> brake;   // J τ × r: what that does to the contact point
 };
 
+}  // namespace detail
+
+namespace formula {
+
+/// A vector that integration has taken off the unit sphere by a relative δ, back to O(δ³), without a root: by
+/// (15 − 10 q + 3 q²)/8 for 1/√q, q = |a|².
+/// Proof  derivations/contact_phase.cpp.
+template <Field T>
+[[nodiscard]] inline Vec3<T> reunited_axis(const Vec3<T>& a) {
+  const T q = scalar::sq(a.x()) + scalar::sq(a.y()) + scalar::sq(a.z());
+  const T scale = (T(15) - q * (T(10) - T(3) * q)) / T(8);
+  return {T(a.x() * scale), T(a.y() * scale), T(a.z() * scale)};
+}
+
+/// What damping with the rate c takes of the energy   [m²/s³]: 2 c times what is kinetic.
+/// Proof  derivations/contact_phase.cpp.
+template <Field T>
+[[nodiscard]] inline T damping_power(const ContactMotion<T>& now, const T& damping, const T& s_x, const T& s_y) {
+  return T(2) * damping * formula::contact_kinetic_energy(now, s_x, s_y);
+}
+
+/// The rates of the contact phase's variables but the slip's, of a contact point that slips with (s_x, s_y) under a
+/// force F per unit of mass; the resistance goes with F's normal part N. The axis turns with ω; the centre moves with
+/// s − ω × r; L̇ = r × F + N τ − c L; the loss is what friction, resistance and damping take, the last given as
+/// `damped`; the spin angle is that of an attitude carried from the axis `origin`.
+/// Proof  derivations/contact_phase.cpp.
+template <Field T>
+[[nodiscard]] inline detail::Variables<T> contact_rates(const detail::Kinetics<T>& k, const T& damping, const T& damped,
+                                                        const Vec3<T>& F, const T& s_x, const T& s_y,
+                                                        const Vec3<T>& origin) {
+  const Vec3<T> moment = formula::cross(k.r, F);
+  const T N = F.z();
+  const T lost = -(F.x() * s_x + F.y() * s_y + N * formula::dot(k.torque, k.w)) + damped;
+  return {k.u_rate.x(),
+          k.u_rate.y(),
+          k.u_rate.z(),
+          T(s_x - k.point.x()),
+          T(s_y - k.point.y()),
+          formula::carried_spin_rate(origin, k.u, k.u_rate, k.spin_rate),
+          lost,
+          T(moment.x() + N * k.torque.x() - damping * k.L.x()),
+          T(moment.y() + N * k.torque.y() - damping * k.L.y()),
+          T(moment.z() + N * k.torque.z() - damping * k.L.z()),
+          T(0),
+          T(0)};
+}
+
+}  // namespace formula
+
+namespace detail {
+
 /// Under the root of the resistance: an angular velocity of 1e-12 frequencies, which has no direction any more.
 template <Ordered T>
 [[nodiscard]] inline T resistance_floor(const ContactBody<T>& body) {
@@ -64,11 +117,8 @@ template <Ordered T>
 
 template <Ordered T>
 [[nodiscard]] inline Kinetics<T> kinetics(const ContactBody<T>& body, Feature feature, const Variables<T>& y) {
-  // The rates see the axis' direction, so that its length, which the integration lets drift, is nobody's: by 1/√q to the
-  // third order in q − 1, q = |u|², without a root.
-  const T q = scalar::sq(y[at::u]) + scalar::sq(y[at::u + 1]) + scalar::sq(y[at::u + 2]);
-  const T scale = (T(15) - q * (T(10) - T(3) * q)) / T(8);
-  const Vec3<T> u(T(y[at::u] * scale), T(y[at::u + 1] * scale), T(y[at::u + 2] * scale));
+  // The rates see the axis' direction, so that its length, which the integration lets drift, is nobody's.
+  const Vec3<T> u = formula::reunited_axis(Vec3<T>(y[at::u], y[at::u + 1], y[at::u + 2]));
   const Vec3<T> L(y[at::L], y[at::L + 1], y[at::L + 2]);
   const T radial_square = scalar::sq(u.x()) + scalar::sq(u.y());
   const ContactGeometry<T> geometry =
@@ -78,7 +128,7 @@ template <Ordered T>
   Kinetics<T> k{formula::contact_motion(body.mobility, body.gravity, geometry, u, L), Vec3<T>::Zero(), Vec3<T>::Zero()};
   if (body.resists) {
     k.torque = resistance_torque(body, k.w);
-    k.brake = formula::cross(formula::turning(body.mobility, u, k.torque), k.r);
+    k.brake = formula::turned_point(body.mobility, u, k.r, k.torque);
   }
   return k;
 }
@@ -100,27 +150,13 @@ template <Ordered T>
   return T(1e-6) * W_zz;
 }
 
-/// The rates of the variables but the slip's, under a force F on the contact point that slips with (s_x, s_y). `origin`
-/// is the axis from which the attitude is carried.
+/// `formula::contact_rates`, where nothing is damped without the energy that damping would take.
 template <Ordered T>
 [[nodiscard]] inline Variables<T> rates(const ContactBody<T>& body, const Kinetics<T>& k, const Vec3<T>& F,
                                         const T& s_x, const T& s_y, const Vec3<T>& origin) {
-  const Vec3<T> moment = formula::cross(k.r, F);
-  const T N = F.z();
-  const T lost = -(F.x() * s_x + F.y() * s_y + N * formula::dot(k.torque, k.w)) +
-                 (T(0) < body.damping ? T(T(2) * body.damping * formula::contact_kinetic_energy(k, s_x, s_y)) : T(0));
-  return {k.u_rate.x(),
-          k.u_rate.y(),
-          k.u_rate.z(),
-          T(s_x - k.point.x()),
-          T(s_y - k.point.y()),
-          formula::carried_spin_rate(origin, k.u, k.u_rate, k.spin_rate),
-          lost,
-          T(moment.x() + N * k.torque.x() - body.damping * k.L.x()),
-          T(moment.y() + N * k.torque.y() - body.damping * k.L.y()),
-          T(moment.z() + N * k.torque.z() - body.damping * k.L.z()),
-          T(0),
-          T(0)};
+  const T damped = T(0) < body.damping ? formula::damping_power<T>(k, body.damping, s_x, s_y) : T(T(0));
+  return formula::contact_rates(k, body.damping, damped, F, s_x, s_y, origin);
 }
 
-}  // namespace goishi::detail
+}  // namespace detail
+}  // namespace goishi

@@ -28,8 +28,8 @@ class LockedSlide {
 
   [[nodiscard]] Motion operator()(const Motion& y) const {
     const Vec3<T> f = force(y);
-    return {y[2], y[3], T(f.x() + body_.gravity.x() - body_.damping * y[2]),
-            T(f.y() + body_.gravity.y() - body_.damping * y[3])};
+    return {y[2], y[3], formula::damped(T(f.x() + body_.gravity.x()), body_.damping, y[2]),
+            formula::damped(T(f.y() + body_.gravity.y()), body_.damping, y[3])};
   }
 
   /// Integrates up to the horizon, or until the contact point leaves where `inside(x, y)` is positive. The run's time
@@ -155,8 +155,7 @@ class LockedSlide {
   }
 
   [[nodiscard]] Vec3<T> force(const Motion& y) const {
-    const T ratio = friction_per_speed(size_of(y[2], y[3]));
-    return {T(-(ratio * y[2])), T(-(ratio * y[3])), T(-body_.gravity.z())};
+    return formula::friction_force(T(-body_.gravity.z()), friction_per_speed(size_of(y[2], y[3])), y[2], y[3]);
   }
 
   /// The step cut to where the contact point leaves, by bisection: to just outside.

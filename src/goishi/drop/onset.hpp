@@ -112,19 +112,14 @@ class OnsetSolver {
   struct Way {
     Vec3<T> force, torque;
   };
-  /// Changes of the contact point's velocity and of ω.
-  struct Motion {
-    Vec3<T> point, w;
-  };
+  using Motion = ContactGain<T>;  // or a change of it
 
   [[nodiscard]] Motion made_by(const Vec3<T>& force, const Vec3<T>& torque) const {
-    const Vec3<T> w = formula::turning(body_.mobility, now_.u, torque);
-    return {formula::plus(formula::product(now_.W, force), formula::cross(w, now_.r)),
-            formula::plus(w, formula::turning(body_.mobility, now_.u, formula::cross(now_.r, force)))};
+    return formula::contact_gain<T>(body_.mobility, now_, force, torque);
   }
 
   [[nodiscard]] static T work(const Way& way, const Motion& motion) {
-    return formula::dot(way.force, motion.point) + formula::dot(way.torque, motion.w);
+    return formula::contact_work(way.force, way.torque, motion);
   }
 
   void add(const Vec3<T>& force, const Vec3<T>& torque) {

@@ -7,7 +7,35 @@
 #include <goishi/drop/kinetics.hpp>
 #include <limits>
 
-namespace goishi::detail {
+namespace goishi {
+
+namespace formula {
+
+/// What a change of ω makes of the torque τ of `resistance`: −(D dω − τ (τ · dω))/√(ω · D ω + floor), D = diag(δ², δ²,
+/// κ²); `over` is 1 over that root.
+/// Proof  derivations/contact_phase.cpp.
+template <Field T>
+[[nodiscard]] inline Vec3<T> resistance_slope(const T& delta_square, const T& kappa_square, const T& over,
+                                              const Vec3<T>& torque, const Vec3<T>& w_change) {
+  const T along = formula::dot(torque, w_change);
+  return {T(over * (along * torque.x() - delta_square * w_change.x())),
+          T(over * (along * torque.y() - delta_square * w_change.y())),
+          T(over * (along * torque.z() - kappa_square * w_change.z()))};
+}
+
+/// x of x_a a + x_b b + x_c c = v.
+/// Domain  a · (b × c) ≠ 0.   Proof  derivations/contact_phase.cpp.
+template <Field T>
+[[nodiscard]] inline Vec3<T> parts_along(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c, const Vec3<T>& v) {
+  const Vec3<T> bc = formula::cross(b, c);
+  const T over = T(1) / formula::dot(a, bc);
+  return {T(over * formula::dot(v, bc)), T(over * formula::dot(v, formula::cross(c, a))),
+          T(over * formula::dot(v, formula::cross(a, b)))};
+}
+
+}  // namespace formula
+
+namespace detail {
 
 /// What a change of the angular momentum changes by way of the resistance, at one state of a contact.
 template <Ordered T>
@@ -23,13 +51,10 @@ class ResistanceSlope {
                                   pivot_square_ * scalar::sq(now.w.z()) + resistance_floor(body)));
   }
 
-  /// dτ, per normal force, for dL: −(D dω − τ (τ · dω))/√(ω · D ω), D = diag(δ², δ², κ²), dω = J dL.
+  /// dτ, per normal force, for dL, dω = J dL.
   [[nodiscard]] Vec3<T> torque(const Vec3<T>& dL) const {
-    const Vec3<T> w = formula::turning(body_.mobility, u_, dL);
-    const T along = formula::dot(torque_, w);
-    return {T(over_ * (along * torque_.x() - roll_square_ * w.x())),
-            T(over_ * (along * torque_.y() - roll_square_ * w.y())),
-            T(over_ * (along * torque_.z() - pivot_square_ * w.z()))};
+    return formula::resistance_slope(roll_square_, pivot_square_, over_, torque_,
+                                     formula::turning(body_.mobility, u_, dL));
   }
 
   [[nodiscard]] const Vec3<T>& torque() const { return torque_; }
@@ -39,15 +64,6 @@ class ResistanceSlope {
   Vec3<T> u_, torque_;
   T roll_square_, pivot_square_, over_;
 };
-
-/// x of x_a a + x_b b + x_c c = v. The determinant is not zero.
-template <Ordered T>
-[[nodiscard]] Vec3<T> solved(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c, const Vec3<T>& v) {
-  const Vec3<T> bc = formula::cross(b, c);
-  const T over = T(1) / formula::dot(a, bc);
-  return {T(over * formula::dot(v, bc)), T(over * formula::dot(v, formula::cross(c, a))),
-          T(over * formula::dot(v, formula::cross(a, b)))};
-}
 
 /// Whether explicit steps of length h from y would follow the resistance rather than the motion, under a normal force N.
 template <Ordered T>
@@ -90,13 +106,13 @@ template <Ordered T, class Equations, class Evaluate, class ForceChange>
     // The columns of 1 − reach ∂L̇/∂L, as far as resistance makes it.
     const auto column = [&](const Vec3<T>& dL) {
       const Vec3<T> torque = slope.torque(dL);
-      const Vec3<T> brake = formula::cross(formula::turning(body.mobility, now.u, torque), now.r);
+      const Vec3<T> brake = formula::turned_point(body.mobility, now.u, now.r, torque);
       const Vec3<T> force = force_change(equations.force.z() < T(0) ? formula::scaled(T(-1), brake) : brake);
       const Vec3<T> moment = formula::plus(formula::cross(now.r, force), N, torque);
       return formula::plus(dL, T(-reach), formula::plus(moment, force.z(), slope.torque()));
     };
-    const Vec3<T> change =
-        solved(column({T(1), T(0), T(0)}), column({T(0), T(1), T(0)}), column({T(0), T(0), T(1)}), residual);
+    const Vec3<T> change = formula::parts_along<T>(column({T(1), T(0), T(0)}), column({T(0), T(1), T(0)}),
+                                                   column({T(0), T(0), T(1)}), residual);
     const T size = formula::dot(change, change);
     if (!scalar::is_finite(size)) {
       return false;
@@ -117,4 +133,5 @@ template <Ordered T, class Equations, class Evaluate, class ForceChange>
   return false;
 }
 
-}  // namespace goishi::detail
+}  // namespace detail
+}  // namespace goishi

@@ -6,16 +6,29 @@
 #include <goishi/drop/contact_state.hpp>
 #include <goishi/drop/statics.hpp>
 
-namespace goishi::detail {
+namespace goishi {
 
-/// The torque's greatest power against an angular velocity, per normal force and unit of |ω|: √(δ²ω_h² + κ²ω_z²)/|ω|.
+namespace formula {
+
+/// The torque's greatest power against an angular velocity, per normal force and unit of |ω|   [m]: √(δ²ω_h² +
+/// κ²ω_z²)/|ω|, with `roll_square` = ω_h² and `pivot_square` = ω_z².
+/// Domain  ω ≠ 0.   Proof  derivations/contact_phase.cpp.
+template <Elementary T>
+[[nodiscard]] T resistance_lever(const T& delta, const T& kappa, const T& roll_square, const T& pivot_square) {
+  return scalar::sqrt(
+      T((scalar::sq(delta) * roll_square + scalar::sq(kappa) * pivot_square) / (roll_square + pivot_square)));
+}
+
+}  // namespace formula
+
+namespace detail {
+
+/// `formula::resistance_lever`, and 0 where nothing turns.
 template <Ordered T>
 [[nodiscard]] T resistance_lever(const ContactBody<T>& body, const Vec3<T>& w) {
-  const T w_h2 = scalar::sq(w.x()) + scalar::sq(w.y()), w_z2 = scalar::sq(w.z());
-  const T turning = w_h2 + w_z2;
-  return T(0) < turning
-             ? scalar::sqrt(
-                   T((scalar::sq(body.rolling_resistance) * w_h2 + scalar::sq(body.pivot_radius) * w_z2) / turning))
+  const T roll_square = scalar::sq(w.x()) + scalar::sq(w.y()), pivot_square = scalar::sq(w.z());
+  return T(0) < roll_square + pivot_square
+             ? formula::resistance_lever(body.rolling_resistance, body.pivot_radius, roll_square, pivot_square)
              : T(0);
 }
 
@@ -70,4 +83,5 @@ template <Ordered T, class Equations>
   return energy <= weight * resistance_lever(body, k.w) * (T(1) - share) * angle + nothing;
 }
 
-}  // namespace goishi::detail
+}  // namespace detail
+}  // namespace goishi

@@ -149,9 +149,9 @@ class Sliding {
 
   [[nodiscard]] Variables<T> all_rates(const Variables<T>& y) {
     see_jam();
-    force = {T(-(body_.friction * slip_.N * c_)), T(-(body_.friction * slip_.N * s_)), slip_.N};
+    force = formula::friction_force(slip_.N, T(body_.friction * slip_.N), c_, s_);
     Variables<T> rate = rates(body_, now, force, T(y[at::slip] * c_), T(y[at::slip] * s_), origin_);
-    rate[at::slip] = slip_.along - body_.damping * y[at::slip];
+    rate[at::slip] = formula::damped(slip_.along, body_.damping, y[at::slip]);
     return rate;
   }
 

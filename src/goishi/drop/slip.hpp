@@ -25,6 +25,12 @@ struct GlideRate {
   T x, y;         // [m/s²] ṡ
 };
 
+/// Its slope, ∂ṡ/∂s.
+template <class T>
+struct GlideSlope {
+  T xx, xy, yx, yy;  // [1/s] ∂ṡ_x/∂s_x, ∂ṡ_x/∂s_y …
+};
+
 namespace formula {
 
 /// Dry friction, F = N (−μ c, −μ s, 1) for the slip's direction (c, s), a unit vector. The normal force is the one that
@@ -67,6 +73,40 @@ template <Field T>
   rate.x = rate.N * gained.x() - need.x();
   rate.y = rate.N * gained.y() - need.y();
   return rate;
+}
+
+/// The slope of `glide_rate` and of damping with the rate c, where friction per normal force is g = k s, ∂g/∂s = k (1
+/// − q s sᵀ): q = (k/μ)² of `patch_friction`, and 0 where k is a constant.
+/// Proof  derivations/slip.cpp.
+template <Field T>
+[[nodiscard]] inline GlideSlope<T> glide_slope(const ContactMatrix<T>& W, const Vec3<T>& brake,
+                                               const GlideRate<T>& rate, const T& k, const T& share, const T& s_x,
+                                               const T& s_y, const T& damping) {
+  const T g_xx = k * (T(1) - share * s_x * s_x), g_xy = -(k * share * s_x * s_y);
+  const T g_yy = k * (T(1) - share * s_y * s_y);
+  const T over = rate.N / rate.denominator;
+  const T p_x = W.xz + brake.x() - k * (W.xx * s_x + W.xy * s_y);
+  const T p_y = W.yz + brake.y() - k * (W.xy * s_x + W.yy * s_y);
+  const T pull_x = over * (W.xz * g_xx + W.yz * g_xy), pull_y = over * (W.xz * g_xy + W.yz * g_yy);
+  return {.xx = T(pull_x * p_x - rate.N * (W.xx * g_xx + W.xy * g_xy) - damping),
+          .xy = T(pull_y * p_x - rate.N * (W.xx * g_xy + W.xy * g_yy)),
+          .yx = T(pull_x * p_y - rate.N * (W.xy * g_xx + W.yy * g_xy)),
+          .yy = T(pull_y * p_y - rate.N * (W.xy * g_xy + W.yy * g_yy) - damping)};
+}
+
+/// What damping with the rate c leaves of a rate of x: ẋ − c x. Both momenta, and with them the slip, are damped so.
+/// Proof  derivations/contact_phase.cpp.
+template <Field T>
+[[nodiscard]] inline T damped(const T& rate, const T& damping, const T& x) {
+  return rate - damping * x;
+}
+
+/// The force at a contact with the normal force N and friction −`drag` (x, y)   [m/s²]: μ N against the slip's
+/// direction, k N against the slip.
+/// Proof  derivations/slip.cpp.
+template <Field T>
+[[nodiscard]] inline Vec3<T> friction_force(const T& N, const T& drag, const T& x, const T& y) {
+  return {T(-(drag * x)), T(-(drag * y)), N};
 }
 
 /// Friction per normal force and slip of a contact patch that also turns (Coulomb–Contensou, in Zhuravlev's form)

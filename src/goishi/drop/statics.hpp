@@ -9,7 +9,9 @@
 #include <goishi/drop/kinetics.hpp>
 #include <limits>
 
-namespace goishi::detail {
+namespace goishi {
+
+namespace detail {
 
 /// Where a stone is held.
 template <class T>
@@ -30,6 +32,27 @@ template <class T>
   return T(512) * std::numeric_limits<T>::epsilon();
 }
 
+}  // namespace detail
+
+namespace formula {
+
+/// What share a torque has of the most that the resistance at a support can bear, δ N against rolling and κ N about
+/// the normal n, along an ellipsoid: √((τ_∥/(δ N))² + (τ_n/(κ N))²).
+/// Domain  N, δ, κ > 0.   Proof  derivations/contact_phase.cpp.
+template <Elementary T>
+[[nodiscard]] T resistance_share(const Vec3<T>& n, const Vec3<T>& torque, const T& normal, const T& delta,
+                                 const T& kappa) {
+  const T along = formula::dot(n, torque);
+  const Vec3<T> across = formula::plus(torque, T(-along), n);
+  const T roll = T(1) / (normal * delta);
+  const T pivot = T(1) / (normal * kappa);
+  return scalar::sqrt(T(scalar::sq(roll) * formula::dot(across, across) + scalar::sq(T(along * pivot))));
+}
+
+}  // namespace formula
+
+namespace detail {
+
 /// The share of the resistance at a support that the torque of gravity and of a force there takes: below 1, a stone that
 /// does not turn goes on so.
 template <Ordered T>
@@ -37,11 +60,8 @@ template <Ordered T>
   const Vec3<T> torque = formula::cross(at.r, force);
   // Round-off of a torque that is zero, so that without any resistance a stone still can stand.
   const T slack = round_off_share<T>() * body.stone.width;
-  const T normal = formula::dot(at.n, force), along = formula::dot(at.n, torque);
-  const Vec3<T> across = formula::plus(torque, T(-along), at.n);
-  const T roll = T(1) / (normal * (body.rolling_resistance + slack));
-  const T pivot = T(1) / (normal * (body.pivot_radius + slack));
-  return scalar::sqrt(T(scalar::sq(roll) * formula::dot(across, across) + scalar::sq(T(along * pivot))));
+  return formula::resistance_share(at.n, torque, formula::dot(at.n, force), T(body.rolling_resistance + slack),
+                                   T(body.pivot_radius + slack));
 }
 
 /// Whether static friction at a support takes a force there.
@@ -260,4 +280,5 @@ template <Ordered T>
   return is_held(body, std::array<Support<T>, 1>{Support<T>{r, {T(0), T(0), T(1)}}}, 1);
 }
 
-}  // namespace goishi::detail
+}  // namespace detail
+}  // namespace goishi

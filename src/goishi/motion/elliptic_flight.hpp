@@ -13,6 +13,105 @@
 
 namespace goishi {
 
+/// Jacobi's solution in the frame F, whose axes are the body's, with moments I_a, I_b, I_c, I_b strictly between the
+/// others, and L_c > 0: L_F = (A cn u, B sn u, C dn u), u = u₀ + λ t, sn, cn and dn of the parameter m.
+template <class T>
+struct JacobiSolution {
+  T ratio, ratio2;  // B/A, and its square
+  T n;              // −κ B²/A², of the integral of the third kind; κ = I_c (I_b − I_a)/(I_b (I_c − I_a))
+  T size;           // |L|
+  T A, B, C;        // in the unit of L
+  T rate;           // λ
+  T sn, cn, dn;     // of u₀
+  T m, m1;          // the parameter, and 1 − m
+};
+
+namespace formula {
+
+/// Of the body's moments, along F, and its momentum at the start. Near the middle axis u₀ is large, and infinite on
+/// it: so it is not asked for.
+/// Domain  L not along the first or the third axis: A > 0.   Proof  derivations/elliptic_flight.cpp, as of all below.
+template <Elementary T>
+[[nodiscard]] JacobiSolution<T> jacobi_solution(const Vec3<T>& moments, const Vec3<T>& L_F) {
+  const T& I_a = moments.x();
+  const T& I_b = moments.y();
+  const T& I_c = moments.z();
+  JacobiSolution<T> jacobi;
+  jacobi.ratio2 = I_b * (I_a - I_c) / (I_a * (I_b - I_c));
+  const T kappa = I_c * (I_b - I_a) / (I_b * (I_c - I_a));
+  jacobi.n = I_c * (I_b - I_a) / (I_a * (I_b - I_c));
+  jacobi.ratio = scalar::sqrt(jacobi.ratio2);
+  jacobi.size = scalar::sqrt(T(L_F.dot(L_F)));
+  jacobi.A = scalar::sqrt(T(scalar::sq(L_F.x()) + scalar::sq(L_F.y()) / jacobi.ratio2));
+  jacobi.B = jacobi.ratio * jacobi.A;
+  jacobi.C = scalar::sqrt(T(scalar::sq(L_F.z()) + kappa * scalar::sq(L_F.y())));
+  jacobi.rate = jacobi.C / jacobi.ratio * ((I_c - I_a) / (I_a * I_c));
+  jacobi.sn = L_F.y() / jacobi.B;
+  jacobi.cn = L_F.x() / jacobi.A;
+  jacobi.dn = L_F.z() / jacobi.C;
+  jacobi.m = kappa * scalar::sq(T(jacobi.B / jacobi.C));
+  // As a difference of what is given: what it loses near the separatrix, nobody has.
+  jacobi.m1 = scalar::sq(jacobi.dn) + jacobi.n * scalar::sq(T(L_F.x() / jacobi.C));
+  return jacobi;
+}
+
+/// sn, cn and dn of u₀ + v from those of v: the addition theorems.
+template <Field T>
+[[nodiscard]] elliptic::Jacobi<T> jacobi_sum(const JacobiSolution<T>& start, const elliptic::Jacobi<T>& by) {
+  const T over = T(1) / (scalar::sq(by.cn) + scalar::sq(T(by.sn * start.dn)));  // 1/(1 − m sn² sn₀²)
+  return {.sn = T(over * (start.sn * by.cn * by.dn + by.sn * start.cn * start.dn)),
+          .cn = T(over * (start.cn * by.cn - start.sn * start.dn * by.sn * by.dn)),
+          .dn = T(over * (start.dn * by.dn - start.m * start.sn * start.cn * by.sn * by.cn))};
+}
+
+/// (|L| B)/(C A) times what Π(n) of v has beyond Π(n) of u₀ + v less that of u₀: its addition theorem. `sum` is at u₀
+/// + v.
+template <Elementary T>
+[[nodiscard]] T third_kind_excess(const JacobiSolution<T>& start, const T& sn_by, const elliptic::Jacobi<T>& sum) {
+  const T &n = start.n, &m = start.m;
+  const T product = n * start.sn * sn_by;
+  return scalar::atan2(T(-product * sum.sn * scalar::sqrt(T((n - T(1)) * (m - n) / n))),
+                       T(T(1) - n * scalar::sq(sum.sn) + product * sum.cn * sum.dn));
+}
+
+/// The angle about the third axis from L at the start to L at `at`, less than half a turn.
+template <Elementary T>
+[[nodiscard]] T momentum_longitude(const JacobiSolution<T>& start, const elliptic::Jacobi<T>& at) {
+  return scalar::atan2(T(start.ratio * (start.cn * at.sn - start.sn * at.cn)),
+                       T(start.cn * at.cn + start.ratio2 * start.sn * at.sn));
+}
+
+/// The turn ψ about L in a time t: |L| t/I_c + (|L| B)/(C A) ΔΠ(n) − Δatan2(L_b, L_a), with ΔΠ by `third`, Π(n) of λt,
+/// and the excess. Its rate is (2E + |L| L_c/I_c)/(|L| + L_c).
+template <Field T>
+[[nodiscard]] T turn_about_momentum(const JacobiSolution<T>& start, const T& I_c, const T& third, const T& excess,
+                                    const T& longitude, const T& t) {
+  return start.size * t / I_c + start.size / start.C * start.ratio * third - excess - longitude;
+}
+
+/// L_F, in the half turn whose sign of cn and sn is `flip`.
+template <Field T>
+[[nodiscard]] Vec3<T> jacobi_momentum(const JacobiSolution<T>& jacobi, const T& flip, const elliptic::Jacobi<T>& at) {
+  return {T(flip * jacobi.A * at.cn), T(flip * jacobi.B * at.sn), T(jacobi.C * at.dn)};
+}
+
+/// The shortest rotation that takes a unit vector to Fz, as a quaternion of the length √(2 (1 + z)).
+template <Field T>
+[[nodiscard]] Quat<T> shortest_to_z(const Vec3<T>& unit) {
+  return Quat<T>(T(T(1) + unit.z()), unit.y(), T(-unit.x()), T(0));
+}
+
+/// The attitude after a turn ψ about L, that took L_F from where the rotation S₀ takes it to Fz to where S does:
+/// q(t) = q(0) S₀⁻¹ exp(ẑ ψ) S.
+template <Elementary T>
+[[nodiscard]] Quat<T> turned_about_momentum(const Quat<T>& q_WB, const Quat<T>& q_BF, const Quat<T>& start_S,
+                                            const T& psi, const Quat<T>& end_S) {
+  const Quat<T> turn(scalar::cos(T(psi / T(2))), T(0), T(0), scalar::sin(T(psi / T(2))));
+  return q_WB * (q_BF * start_S.conjugate() * turn * end_S * q_BF.conjugate());
+}
+
+}  // namespace formula
+
 namespace detail {
 
 /// The frame F in which Jacobi's solution is written: axes along ±Bx, ±By, ±Bz, right-handed; the momentum circles
@@ -53,12 +152,6 @@ template <Ordered T>
   return frame;
 }
 
-/// The shortest rotation that takes a unit vector to Fz.   Domain  z >= 0.
-template <Ordered T>
-[[nodiscard]] Quat<T> shortest_to_z(const Vec3<T>& unit) {
-  return Quat<T>(T(T(1) + unit.z()), unit.y(), T(-unit.x()), T(0)).normalized();
-}
-
 /// The third kind of integral, Π(n; φ) = ∫₀^φ dφ / ((1 − n sin²φ) √(1 − m sin²φ)).
 /// Domain  |φ| <= π/2, given by its sine and cosine; n <= 0; m₁ = 1 − m > 0.
 template <Ordered T>
@@ -69,61 +162,33 @@ template <Ordered T>
                  n * s2 / T(3) * elliptic::carlson_j<T>(c2, delta2, T(1), T(T(1) - n * s2)));
 }
 
-/// The attitude of an asymmetric body after a time t. With I_b strictly between I_a and I_c, L_c > 0:
-///
-///     L_F(t) = (A cn u, B sn u, C dn u),   u = u₀ + λ t,   q(t) = q(0) S₀⁻¹ exp(ẑ ψ) S_t
-///
-/// S the shortest rotation from L_F to ẑ, and ψ = |L| t / I_c + (|L| B)/(C A) ΔΠ(n) − Δatan2(L_b, L_a): the turn about L,
-/// whose rate is (2E + |L| L_c/I_c)/(|L| + L_c). Near the middle axis u₀ is large, and infinite on it. So it is not asked
-/// for: the addition theorems of sn, cn, dn and Π lead from the start, where they are given, on by λ t.
-/// Domain  L not along the first or the third axis: A > 0.
+/// The attitude of an asymmetric body after a time t, by the addition theorems from the start on.
 template <Ordered T>
 [[nodiscard]] Quat<T> asymmetric_rotation(const Quat<T>& q_WB, const JacobiFrame<T>& frame, const T& t) {
-  const T& I_a = frame.moments.x();
-  const T& I_b = frame.moments.y();
-  const T& I_c = frame.moments.z();
-  const T ratio2 = I_b * (I_a - I_c) / (I_a * (I_b - I_c));  // B²/A²
-  const T kappa = I_c * (I_b - I_a) / (I_b * (I_c - I_a));
-  const T n = I_c * (I_b - I_a) / (I_a * (I_b - I_c));  // −κ B²/A²
-  const T ratio = scalar::sqrt(ratio2), size = frame.L_F.norm();
-  const T A = scalar::sqrt(T(scalar::sq(frame.L_F.x()) + scalar::sq(frame.L_F.y()) / ratio2));
-  const T B = ratio * A;
-  const T C = scalar::sqrt(T(scalar::sq(frame.L_F.z()) + kappa * scalar::sq(frame.L_F.y())));
-  // At the start.
-  const T sn0 = frame.L_F.y() / B, cn0 = frame.L_F.x() / A, dn0 = frame.L_F.z() / C;
-  const T m = kappa * scalar::sq(T(B / C));
-  // 1 − m, as a difference of what is given: what it loses near the separatrix, nobody has.
-  const T excess = scalar::sq(dn0) + n * scalar::sq(T(frame.L_F.x() / C));
-  const T m1 = elliptic::detail::larger(excess, std::numeric_limits<T>::min());
+  const JacobiSolution<T> start = formula::jacobi_solution(frame.moments, frame.L_F);
+  const T m1 = elliptic::detail::larger(start.m1, std::numeric_limits<T>::min());
 
   // Whole half turns, and the rest.
   const elliptic::JacobiFunctions<T> jacobi(m1);
   const T K = jacobi.quarter_period();
-  const T v = C / ratio * ((I_c - I_a) / (I_a * I_c)) * t;
+  const T v = start.rate * t;
   using std::floor;
   const T half_turns = T(floor(T(v / (T(2) * K) + T(1) / T(2))));
   const elliptic::Jacobi<T> by = jacobi(T(v - T(2) * K * half_turns));
-  const T over = T(1) / (scalar::sq(by.cn) + scalar::sq(T(by.sn * dn0)));  // 1/(1 − m sn² sn₀²)
-  const T sn = over * (sn0 * by.cn * by.dn + by.sn * cn0 * dn0);
-  const T cn = over * (cn0 * by.cn - sn0 * dn0 * by.sn * by.dn);
-  const T dn = over * (dn0 * by.dn - m * sn0 * cn0 * by.sn * by.cn);
+  const elliptic::Jacobi<T> end = formula::jacobi_sum(start, by);
 
-  const T third = third_integral(by.sn, by.cn, m1, n) + T(2) * half_turns * third_integral<T>(T(1), T(0), m1, n);
-  const T product = n * sn0 * by.sn;
-  const T added = scalar::atan2(T(-product * sn * scalar::sqrt(T((n - T(1)) * (m - n) / n))),
-                                T(T(1) - n * scalar::sq(sn) + product * cn * dn));
-  const T longitude =
-      scalar::atan2(T(ratio * (cn0 * sn - sn0 * cn)), T(cn0 * cn + ratio2 * sn0 * sn)) + half_turns * scalar::pi<T>();
-  const T psi = size * t / I_c + size / C * ratio * third - added - longitude;
+  const T third =
+      third_integral(by.sn, by.cn, m1, start.n) + T(2) * half_turns * third_integral<T>(T(1), T(0), m1, start.n);
+  const T longitude = formula::momentum_longitude(start, end) + half_turns * scalar::pi<T>();
+  const T psi = formula::turn_about_momentum(start, frame.moments.z(), third,
+                                             formula::third_kind_excess(start, by.sn, end), longitude, t);
 
   const T half = half_turns / T(2);
   const T flip = half - T(floor(half)) < T(1) / T(4) ? T(1) : T(-1);
-  const Vec3<T> end_L(T(flip * A * cn), T(flip * B * sn), T(C * dn));
-  const Quat<T> q_BF(frame.R_BF);
-  const Quat<T> turn(scalar::cos(T(psi / T(2))), T(0), T(0), scalar::sin(T(psi / T(2))));
-  const Quat<T> start_S = shortest_to_z(Vec3<T>(frame.L_F / size));
-  const Quat<T> end_S = shortest_to_z(Vec3<T>(end_L / end_L.norm()));
-  return q_WB * (q_BF * start_S.conjugate() * turn * end_S * q_BF.conjugate());
+  const Vec3<T> end_L = formula::jacobi_momentum(start, flip, end);
+  return formula::turned_about_momentum(q_WB, Quat<T>(frame.R_BF),
+                                        formula::shortest_to_z(Vec3<T>(frame.L_F / start.size)).normalized(), psi,
+                                        formula::shortest_to_z(Vec3<T>(end_L / end_L.norm())).normalized());
 }
 
 /// The attitude of a body two of whose moments are equal, whatever the axis.

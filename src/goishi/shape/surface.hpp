@@ -50,11 +50,32 @@ template <Field T>
   return stone.bevel_major_radius * radial + stone.bevel_minor_radius;
 }
 
+/// −S' on the rim, by μ   [m]: r₁ μ/n_r.   Proof  derivations/support.cpp.
+template <Field T>
+[[nodiscard]] T rim_slope(const Stone<T>& stone, const T& axial, const T& radial) {
+  return stone.bevel_major_radius * axial / radial;
+}
+
+/// Distance of the rim's support point from the axis, over n_r   [m]: r₁/n_r + r₂. Its height over the middle is r₂ μ.
+/// Proof  derivations/support.cpp.
+template <Field T>
+[[nodiscard]] T rim_support_reach(const Stone<T>& stone, const T& radial) {
+  return stone.bevel_major_radius / radial + stone.bevel_minor_radius;
+}
+
 /// Height over the middle of the cap's support point   [m]: h/2 − r n_r² / (1 + μ). Its distance from the axis is r n_r.
 /// Proof  derivations/support.cpp.
 template <Field T>
 [[nodiscard]] T cap_support_height(const Stone<T>& stone, const T& axial, const T& radial_square) {
   return stone.height / T(2) - stone.sphere_radius * radial_square / (T(1) + axial);
+}
+
+/// The support point in a unit direction n, on the cap or on the rim: n_h times what its distance from the axis is
+/// over n_r, r on the cap, and its height.
+/// Proof  derivations/support.cpp.
+template <Field T>
+[[nodiscard]] Vec3<T> support_point(const T& reach, const Vec3<T>& n_B, const T& height) {
+  return {T(reach * n_B.x()), T(reach * n_B.y()), height};
 }
 
 /// Signed distance of a point from the core lens's sphere   [m], from its distance ρ from the axis and height ζ over the
@@ -110,12 +131,12 @@ template <Ordered T>
     const bool upper = !(n_B.z() < T(0));
     const T height = formula::cap_support_height(stone, n.axial, n.radial_square);
     result.value = formula::cap_support(stone, n.axial, n.radial_square);
-    result.p_B = {T(stone.sphere_radius * n_B.x()), T(stone.sphere_radius * n_B.y()), upper ? height : T(-height)};
+    result.p_B = formula::support_point(stone.sphere_radius, n_B, upper ? height : T(-height));
     result.feature = upper ? Feature::upper_cap : Feature::lower_cap;
   } else {
-    const T across = stone.bevel_major_radius / n.radial + stone.bevel_minor_radius;
     result.value = formula::rim_support(stone, n.radial);
-    result.p_B = {T(across * n_B.x()), T(across * n_B.y()), T(stone.bevel_minor_radius * n_B.z())};
+    result.p_B =
+        formula::support_point(formula::rim_support_reach(stone, n.radial), n_B, T(stone.bevel_minor_radius * n_B.z()));
   }
   return result;
 }

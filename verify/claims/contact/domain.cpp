@@ -327,8 +327,7 @@ std::vector<Claim> domain_contact_claims() {
             "An attitude whose |q|² is off by 60 ε, as much as is taken, changes no gap by more than round-off.",
             "the same attitude, normalised", OracleFamily::relation, 64.0,
             "the axis is off by some ε; of two stones ten times as much, as what is said of their error",
-            {{"contact/contact.hpp", "formula::symmetry_axis(formula::reunited(pose.q_WB))",
-              "formula::symmetry_axis(pose.q_WB)"}},
+            {{"contact/contact.hpp", ".u_W = symmetry_axis(pose.q_WB)", ".u_W = formula::symmetry_axis(pose.q_WB)"}},
             [](Context& context) {
               return in_both(context, [](Context& c, Worst& worst, auto t) {
                 see_attitudes<decltype(t)>(c, worst, c.samples(2000, 20000));

@@ -208,8 +208,7 @@ std::vector<Claim> time_of_impact_claims() {
                    .resolution = epsilon / 2.0}},
        .mutants = {{"contact/flight_path.hpp", "T(2) * height / (root - rate)", "T(3) * height / (root - rate)"},
                    {"contact/flight_path.hpp", "t + falling_time(over,", "t + T(2) * falling_time(over,"},
-                   {"contact/flight_path.hpp", "c0_ + t * (c1_ + t * c2_ / T(2))), T(c1_ + t * c2_)}",
-                    "c0_ + t * (c1_ + t * c2_)), T(c1_ + t * c2_)}"}},
+                   {"contact/flight_path.hpp", "c0 + t * (c1 + t * c2 / T(2))", "c0 + t * (c1 + t * c2)"}},
        .measure = measure_drops},
       {.id = "TOI-2",
        .statement =
@@ -240,7 +239,7 @@ std::vector<Claim> time_of_impact_claims() {
                    .reason = "as TOI-1",
                    .resolution = epsilon / 2.0}},
        .mutants = {{"contact/flight_path.hpp", "now.gap <= gap && now.rate <= rate", "now.gap <= gap"},
-                   {"contact/flight_path.hpp", "T((rate + root) / -c)", "T(T(2) * (rate + root) / -c)"},
+                   {"contact/flight_path.hpp", "(rate + root) / -c", "T(2) * (rate + root) / -c"},
                    {"contact/time_of_impact.hpp", "result.contact.gap < -nothing.gap && result.separations == 1",
                     "result.contact.gap < -nothing.gap && result.separations == 0"}},
        .measure = measure_starts},

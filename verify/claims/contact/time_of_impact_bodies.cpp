@@ -150,7 +150,7 @@ std::vector<Claim> time_of_impact_body_claims() {
                    .bound = 512.0 * epsilon,
                    .reason = "the search ends when the separation is within 256 ε of the two widths",
                    .resolution = epsilon / 2.0}},
-       .mutants = {{"contact/time_of_impact.hpp", "gap.add(detail::wobble(other, other_path, n));", ""},
+       .mutants = {{"contact/time_of_impact.hpp", "gap.add(formula::wobble(other, other_path, n));", ""},
                    {"contact/time_of_impact.hpp", "n.dot(Vec3<T>(path.v_W - other_path.v_W))", "n.dot(path.v_W)"}},
        .measure = measure_pair},
   };

@@ -239,7 +239,7 @@ std::vector<Claim> surface_claims() {
                     "n.radial_square * scalar::sq(stone.joint_cosine) <= scalar::sq(T(n.axial * stone.joint_sine))"},
                    {"shape/surface.hpp", "stone.bevel_major_radius * radial + stone.bevel_minor_radius",
                     "stone.bevel_major_radius * radial"},
-                   {"shape/surface.hpp", "upper ? height : T(-height)};", "height};"}},
+                   {"shape/surface.hpp", "n_B, upper ? height : T(-height));", "n_B, height);"}},
        .measure = measure_support},
       {.id = "SURFACE-2",
        .statement = "Signed distance, closest point and normal are those of the solid.",

@@ -151,8 +151,8 @@ std::vector<Claim> surface_law_claims() {
                    .resolution = 0.0}},
        .mutants = {{"shape/surface.hpp", "radial = at_centre ? T(0) : T(rho / reach);",
                     "radial = at_centre ? T(0) : T(rho / stone.core_sphere_radius);"},
-                   {"shape/surface.hpp", "const T across = stone.bevel_major_radius / n.radial",
-                    "const T across = stone.bevel_major_radius"}},
+                   {"shape/surface.hpp", "return stone.bevel_major_radius / radial + stone.bevel_minor_radius;",
+                    "return stone.bevel_major_radius + stone.bevel_minor_radius;"}},
        .measure = measure_gradients},
   };
 }
