@@ -52,14 +52,14 @@ template <Field T>
 
 /// −S' on the rim, by μ   [m]: r₁ μ/n_r.   Proof  derivations/support.cpp.
 template <Field T>
-[[nodiscard]] T rim_slope(const Stone<T>& stone, const T& axial, const T& radial) {
+[[nodiscard]] inline T rim_slope(const Stone<T>& stone, const T& axial, const T& radial) {
   return stone.bevel_major_radius * axial / radial;
 }
 
 /// Distance of the rim's support point from the axis, over n_r   [m]: r₁/n_r + r₂. Its height over the middle is r₂ μ.
 /// Proof  derivations/support.cpp.
 template <Field T>
-[[nodiscard]] T rim_support_reach(const Stone<T>& stone, const T& radial) {
+[[nodiscard]] inline T rim_support_reach(const Stone<T>& stone, const T& radial) {
   return stone.bevel_major_radius / radial + stone.bevel_minor_radius;
 }
 
@@ -74,7 +74,7 @@ template <Field T>
 /// over n_r, r on the cap, and its height.
 /// Proof  derivations/support.cpp.
 template <Field T>
-[[nodiscard]] Vec3<T> support_point(const T& reach, const Vec3<T>& n_B, const T& height) {
+[[nodiscard]] inline Vec3<T> support_point(const T& reach, const Vec3<T>& n_B, const T& height) {
   return {T(reach * n_B.x()), T(reach * n_B.y()), height};
 }
 
