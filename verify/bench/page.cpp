@@ -178,13 +178,21 @@ Section page_section(const Bench& bench) {
   }
   Section section{
       .title = "Run time against error",
-      .paragraphs = {"Lower left is better. Thick and coloured is what Goishi ships, and a star what has no "
-                     "setting; thin, grey and dashed are others. Run times are medians of processor time. "
-                     "Compare at equal error: some tables interpolate each curve there, and a dash means "
-                     "that it never comes so far."},
+      .paragraphs =
+          {"Lower left is better. Thick and coloured is what Goishi ships; thin, grey and dashed are others. Run times "
+           "are medians of processor time."},
       .tables = {std::move(bars)},
       .plots = {},
       .parts = {}};
+  for (const Subject& subject : subjects()) {
+    const auto is_raced = [&](const Problem& problem) {
+      return std::any_of(bench.races.begin(), bench.races.end(),
+                         [&](const Race& race) { return race.name == problem.name; });
+    };
+    if (std::any_of(subject.problems.begin(), subject.problems.end(), is_raced)) {
+      section.paragraphs.push_back(subject.note);
+    }
+  }
   for (const Race& race : bench.races) {
     section.parts.push_back(part_of(race));
   }

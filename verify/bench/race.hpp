@@ -119,6 +119,7 @@ struct Problem {
 
 struct Subject {
   std::string name, title;  // "contact": stands for all of its problems
+  std::string note;         // what is the same for all of them
   std::vector<Problem> problems;
   std::vector<Who> contestants;
 };

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -77,8 +78,8 @@ std::string text_report(const Bench& bench) {
 std::string markdown_report(const Bench& bench) {
   const Stamp& stamp = bench.stamp;
   const Section section = page_section(bench);
-  std::string out = fmt::format("{}; {}; commit {}, {}.\n\n{}", stamp.machine, stamp.compiler, stamp.commit, stamp.time,
-                                piped(section.tables.front()));
+  std::string out = fmt::format("{}; {}; commit {}, {}.\n\n{}\n\n{}", stamp.machine, stamp.compiler, stamp.commit,
+                                stamp.time, fmt::join(section.paragraphs, "\n\n"), piped(section.tables.front()));
   for (const Section& part : section.parts) {
     out += fmt::format("\n## {}\n\n{}\n\n{}", part.title, part.paragraphs.front(), piped(part.tables.front()));
   }

@@ -26,12 +26,16 @@ std::shared_ptr<const Scene> make_scene(const Effort& effort) {
 }
 
 Subject subject() {
-  Subject subject{.name = "drop",
-                  .title = "A stone from flight to rest, what is skipped, and the talk's loop beside it",
-                  .problems = {},
-                  .contestants = {{"drop", "Goishi", "ours"},
-                                  {"published-loop", "the talk's loop", "published"},
-                                  {"published-loop-momentum", "the loop with L kept", "published"}}};
+  Subject subject{
+      .name = "drop",
+      .title = "A stone from flight to rest, what is skipped, and the talk's loop beside it",
+      .note =
+          "Drops: size 33, bevel 1 mm, let go 5 cm over the plane, in random attitude with a random spin of "
+          "up to 30 rad/s, under the default settings where nothing else is said.",
+      .problems = {},
+      .contestants = {{"drop", "Goishi", "ours"},
+                      {"published-loop", "the talk's loop", "published"},
+                      {"published-loop-momentum", "the loop with L kept", "published"}}};
   for (const auto& problems : {whole_drops(), skipped_work(), published_loops()}) {
     subject.problems.insert(subject.problems.end(), problems.begin(), problems.end());
   }

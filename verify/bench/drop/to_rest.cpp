@@ -43,11 +43,8 @@ Race to_rest(const Effort& effort) {
     right.push_back(scene->fall(i, at_tolerance(reference_tolerance)).state.p_WB);
   }
   Race race{
-      .name = "drop-to-rest",
-      .title = "A stone dropped from 5 cm, to rest",
       .note = fmt::format(
-          "{} drops of size 33, bevel 1 mm, in random attitude with random spin up to 30 rad/s, under the default "
-          "settings. The error of the place of rest is against runs at tolerance {}. Times are over the drops, counts "
+          "{} drops. The error of the place of rest is against runs at tolerance {}. Times are over the drops, counts "
           "are medians; unanswered is what does not come to rest.",
           count, plain_number(reference_tolerance)),
       .cost = "run time of a drop",

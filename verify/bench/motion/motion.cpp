@@ -123,18 +123,16 @@ std::vector<Contestant<Motion>> contestants() {
 
 Race prepare(const Motion& asked) {
   const auto motion = std::make_shared<const Motion>(with_answer(asked));
-  Race race{.note = fmt::format(
-                "The same motion, computed in double, from coarse to as fine as round-off or patience "
-                "allow; Odeint's steppers on the raw Newton–Euler equations, their quaternion normalised "
-                "before its error is taken. Right answer: {}.",
-                motion->is_symmetric() ? "closed form, 50 digits" : "Bulirsch–Stoer and Fehlberg 7(8), 34 digits"),
-            .cost = "run time per simulated second",
-            .quantities = {{"attitude error", "rad"},
-                           {"energy error", "relative to the kinetic energy"},
-                           {"momentum error", "relative"},
-                           {"steps or evaluations", ""}},
-            .others = "grey is Odeint",
-            .compared = {-2, -4, -6, -8, -10, -12}};
+  Race race{
+      .note = fmt::format("Right answer: {}.", motion->is_symmetric() ? "closed form, 50 digits"
+                                                                      : "Bulirsch–Stoer and Fehlberg 7(8), 34 digits"),
+      .cost = "run time per simulated second",
+      .quantities = {{"attitude error", "rad"},
+                     {"energy error", "relative to the kinetic energy"},
+                     {"momentum error", "relative"},
+                     {"steps or evaluations", ""}},
+      .others = "grey is Odeint",
+      .compared = {-2, -4, -6, -8, -10, -12}};
   let_enter(race, contestants(), motion);
   for (Curve& curve : race.curves) {
     if (curve.who.kind == Kind::step) {
@@ -174,7 +172,16 @@ std::vector<double> judge(const Outcome& outcome, const Motion& motion) {
 }
 
 Subject subject() {
-  Subject subject{.name = "motion", .title = "Free flight, from start to end", .problems = {}, .contestants = {}};
+  Subject subject{.name = "motion",
+                  .title = "Free flight, from start to end",
+                  .note =
+                      "Motion: each curve is one way to compute the same motion in double, from coarse to as fine as "
+                      "round-off or patience allow. Grey are Odeint's steppers on the raw Newton–Euler equations; a "
+                      "star is a closed form, which takes one call and has no step. Odeint's quaternion is "
+                      "normalised before its error is taken. Compare at equal error: the tables interpolate each "
+                      "curve there, and a dash means that it never comes so far.",
+                  .problems = {},
+                  .contestants = {}};
   for (const Motion& motion : make_motions()) {
     subject.problems.push_back(
         {motion.name, motion.title, [motion](const Effort& /*any*/) { return prepare(motion); }});
