@@ -2,11 +2,11 @@
 
 #include <cmath>
 #include <functional>
-#include <goishi/drop/drop.hpp>
 #include <goishi/mass/inertia.hpp>
 #include <limits>
 #include <numbers>
 
+#include "compiled/drop.hpp"
 #include "tests/cli_drop_test.hpp"
 
 namespace goishi::cli_test {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "verify/oracles/brute_contact.hpp"
-#include "verify/oracles/flying_bodies.hpp"
+#include "verify/oracles/contact/brute_contact.hpp"
+#include "verify/oracles/contact/flying_bodies.hpp"
 
 namespace {
 

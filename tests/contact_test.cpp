@@ -284,6 +284,33 @@ TEST(ContactFloat, HighOverANarrowBoard) {
   }
 }
 
+// --- a core that is a point
+
+TEST(ContactOfABevelledBall, ItsCentreAtTheRimOfASharpStone) {
+  const Stone<double> stone = sharp(), ball = make_stone(8.0, 8.0, 3.0);
+  EXPECT_EQ(ball.bevel_major_radius, 0.0);
+  const double around = 0.7, joint = std::atan2(3.0, 4.0);
+  const Vec3<double> out(std::cos(around), std::sin(around), 0.0);
+  const Quat<double> turned(Eigen::AngleAxisd(0.4, Vec3<double>(1.0, 2.0, 2.0) / 3.0));
+  for (int power = -18; power <= 0; ++power) {
+    for (int i = 0; i < 100; ++i) {
+      // Beside the rim, all round its edge, and where rim and cap meet to a few ulps.
+      const double angle = i % 2 == 0 ? 0.08 * i : joint * (1.0 + std::pow(10.0, -i / 6.0));
+      const Vec3<double> beside =
+          std::pow(10.0, power) * (std::cos(angle) * out + std::sin(angle) * Vec3<double>::UnitZ());
+      const Vec3<double> centre = 4.0 * out + beside;
+      const Pose<double> pose{.p_WB = turned * centre, .q_WB = turned},
+          origin{.p_WB = Vec3<double>::Zero(), .q_WB = turned};
+      const double gap = closest_point(stone, centre).distance - 4.0;
+      for (const Separation<double>& at :
+           {separation(ball, pose, stone, origin), separation(stone, origin, ball, pose)}) {
+        EXPECT_TRUE(at.certified) << power << ", " << i;
+        EXPECT_NEAR(at.gap, gap, 2e-13) << power << ", " << i;
+      }
+    }
+  }
+}
+
 // --- errors of the caller
 
 TEST(ContactBadInput, PosesNormalsOffsets) {

@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <goishi/drop/drop.hpp>
 #include <goishi/mass/inertia.hpp>
 #include <limits>
 #include <numbers>
 
+#include "compiled/drop.hpp"
 #include "tests/expectations.hpp"
 
 namespace goishi::drop_test {

@@ -6,11 +6,11 @@
 #include <limits>
 #include <numbers>
 
-#include "verify/oracles/hull.hpp"
-#include "verify/oracles/published_loop.hpp"
-#include "verify/oracles/spin.hpp"
-#include "verify/oracles/touching_body.hpp"
-#include "verify/oracles/wobble.hpp"
+#include "verify/oracles/contact/wobble.hpp"
+#include "verify/oracles/drop/spin.hpp"
+#include "verify/oracles/drop/touching_body.hpp"
+#include "verify/oracles/published/loop.hpp"
+#include "verify/oracles/stone/hull.hpp"
 
 namespace {
 

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <goishi/drop/drop.hpp>
 #include <goishi/mass/inertia.hpp>
 #include <limits>
 
+#include "compiled/drop.hpp"
 #include "tests/allocations.hpp"
 
 namespace goishi::drop_test {

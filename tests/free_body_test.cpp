@@ -6,7 +6,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "verify/oracles/free_body.hpp"
+#include "verify/oracles/motion/free_body.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "verify/run.hpp"
+#include "verify/suite/run.hpp"
 
 namespace goishi::verify {
 
@@ -30,7 +30,7 @@ struct Sample {
   Sample(const Sample&) = delete;
   Sample& operator=(const Sample&) = delete;
 
-  Result& add(const std::string& id, double error, double bound, OracleFamily family = OracleFamily::independent) {
+  Result& add(const std::string& id, double error, double bound, OracleFamily family = OracleFamily::brute_force) {
     claims.push_back({id,
                       "The volume is right.",
                       "volume",

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "verify/oracles/ordered_ball.hpp"
-#include "verify/oracles/rigorous_integral.hpp"
+#include "verify/oracles/numbers/ordered_ball.hpp"
+#include "verify/oracles/stone/rigorous_integral.hpp"
 
 namespace goishi::verify {
 namespace {

@@ -9,9 +9,9 @@
 #include <limits>
 #include <thread>
 
-#include "verify/claim.hpp"
-#include "verify/run.hpp"
-#include "verify/ulps.hpp"
+#include "verify/suite/claim.hpp"
+#include "verify/suite/run.hpp"
+#include "verify/suite/ulps.hpp"
 
 namespace {
 

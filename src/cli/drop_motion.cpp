@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <goishi/drop/drop.hpp>
 #include <iterator>
 #include <limits>
 #include <numbers>
+
+#include "compiled/drop.hpp"
 
 namespace goishi::cli {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <string>
 
-#include "verify/quantile.hpp"
+#include "verify/suite/quantile.hpp"
 
 namespace goishi::verify::bench {
 

@@ -7,7 +7,7 @@
 #include "verify/bench/contact/contact.hpp"
 #include "verify/bench/drop/drops.hpp"
 #include "verify/bench/motion/motion.hpp"
-#include "verify/quantile.hpp"
+#include "verify/suite/quantile.hpp"
 
 namespace goishi::verify::bench {
 

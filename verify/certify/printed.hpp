@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "verify/oracles/ball.hpp"
+#include "verify/oracles/numbers/ball.hpp"
 
 namespace goishi::verify::certify {
 

@@ -7,7 +7,7 @@
 
 #include "verify/certify/printed.hpp"
 #include "verify/certify/witness.hpp"
-#include "verify/oracles/published_bevel.hpp"
+#include "verify/oracles/published/bevel.hpp"
 
 namespace goishi::verify::certify {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "verify/certify/certify.hpp"
-#include "verify/oracles/ball.hpp"
+#include "verify/oracles/numbers/ball.hpp"
 
 namespace goishi::verify::certify {
 

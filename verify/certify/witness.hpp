@@ -7,9 +7,9 @@
 #include <goishi/shape/catalogue.hpp>
 #include <string_view>
 
-#include "verify/oracles/ball.hpp"
-#include "verify/oracles/rigorous_integral.hpp"
-#include "verify/oracles/spin.hpp"
+#include "verify/oracles/drop/spin.hpp"
+#include "verify/oracles/numbers/ball.hpp"
+#include "verify/oracles/stone/rigorous_integral.hpp"
 
 namespace goishi::verify::certify {
 

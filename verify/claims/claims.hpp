@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "verify/claim.hpp"
+#include "verify/suite/claim.hpp"
 
 namespace goishi::verify {
 
@@ -59,6 +59,8 @@ namespace goishi::verify {
 [[nodiscard]] std::vector<Claim> drop_friction_claims();     // DROP: Jellett's integral, Coulomb–Contensou friction
 [[nodiscard]] std::vector<Claim> drop_spin_claims();         // DROP: threshold and settling tilts of a flat spin
 [[nodiscard]] std::vector<Claim> drop_sliding_claims();      // DROP: sliding to a stop, slopes, waking
+[[nodiscard]] std::vector<Claim> drop_board_claims();        // DROP: on a board, over its edge
+[[nodiscard]] std::vector<Claim> drop_tolerance_claims();    // DROP: error by tolerance; float
 [[nodiscard]] std::vector<Claim> drop_scale_claims();        // DROP: other units, other sizes
 
 [[nodiscard]] std::vector<Claim> all_claims();

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "verify/claim.hpp"
 #include "verify/report/axis.hpp"
+#include "verify/suite/claim.hpp"
 
 namespace goishi::verify::picture {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "verify/report/report.hpp"
-#include "verify/run.hpp"
+#include "verify/suite/run.hpp"
 
 namespace goishi::verify::page {
 

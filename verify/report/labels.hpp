@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "verify/claim.hpp"
 #include "verify/report/canvas.hpp"
+#include "verify/suite/claim.hpp"
 
 namespace goishi::verify::picture {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "verify/claim.hpp"
+#include "verify/suite/claim.hpp"
 
 namespace goishi::verify::picture {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "verify/run.hpp"
+#include "verify/suite/run.hpp"
 
 namespace goishi::verify {
 

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <thread>
 
-#include "verify/oracles/all_normals.hpp"
+#include "verify/oracles/contact/all_normals.hpp"
 
 namespace goishi::verify::stress {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "verify/pose_samples.hpp"
+#include "verify/samples/pose.hpp"
 #include "verify/stress/stress.hpp"
 
 namespace goishi::verify::stress {

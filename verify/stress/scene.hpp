@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "verify/compiled_drop.hpp"
+#include "compiled/drop.hpp"
 
 namespace goishi::verify::stress {
 

@@ -102,6 +102,10 @@ class RimSearch {
     const T length = T(2) * scalar::pi<T>() / T(parts);
     const T c = scalar::cos(length), s = scalar::sin(length);
     const RimPoint start = at(T(1), T(0));
+    if (!(T(0) < c1_)) {
+      take(start);  // a core that is a point
+      return true;
+    }
     RimPoint low = start;
     for (int i = 1; i <= parts; ++i) {
       const RimPoint high = i == parts ? start : at(T(c * low.a - s * low.b), T(s * low.a + c * low.b));

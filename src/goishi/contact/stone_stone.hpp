@@ -117,9 +117,8 @@ template <Ordered T>
       certified = rims.run() && certified;
     }
     stationary = climb(pair, best);
-    if (T(0) < best.g) {
-      certified = distance() - best.g <= tolerance;
-    }
+    const bool tight = distance() - best.g <= tolerance;
+    certified = tight || (certified && !(T(0) < best.g));
   }
   return stationary || certified;
 }

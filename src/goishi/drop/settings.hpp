@@ -67,7 +67,7 @@ struct DropSettings {
   int maximum_steps = 2000000;  // of everything that is repeated, `DropCounters::work`; likewise
 
   // --- How exactly
-  /// Of a step of the contact phase, relative to the stone's own scales.
+  /// Of a step of the contact phase, relative to the stone's own scales; where it ends up: claim DROP-29.
   T tolerance = detail::at_least(T(1e-9), T(1000) * std::numeric_limits<T>::epsilon());
   /// [m/s] Approach below which bounces are closed by a plastic impulse. 2e-6 √(w g): 9.3e-7. Where a stone of size 33
   /// dropped from 5 cm comes to rest depends on it by 1.6e-9 m in the median; by 1.4e-6 m at 1e-3 m/s (100 drops against
@@ -76,8 +76,8 @@ struct DropSettings {
   /// [m/s] Leaving speed below which the bounces of a flat drop are summed, exactly. Higher is as right, and shows
   /// fewer. 0.02 √(w g): 9.3e-3
   std::optional<T> closing_speed;
-  /// [m/s] Of the micro-impacts that stand for a contact that lasts on an edge, a side or at two places. Their error falls
-  /// with it, their number grows as 1/it. 2e-3 √(w g): 9.3e-4, hops of up to 2e-4 s and 5e-8 m
+  /// [m/s] Of the micro-impacts that stand for a contact that lasts on an edge, a side or at two places. Their error is in
+  /// proportion to it (claim DROP-28), their number to 1/it. 2e-3 √(w g): 9.3e-4, hops of up to 2e-4 s and 5e-8 m
   std::optional<T> edge_speed;
   /// Of the width: a stone no deeper inside is taken as touching, a deeper one refused.
   T touching = detail::at_least(T(1e-9), T(64) * std::numeric_limits<T>::epsilon());

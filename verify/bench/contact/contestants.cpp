@@ -8,8 +8,8 @@
 
 #include "verify/bench/contact/contact.hpp"
 #include "verify/bench/native.hpp"
-#include "verify/quantile.hpp"
 #include "verify/report/number.hpp"
+#include "verify/suite/quantile.hpp"
 
 namespace goishi::verify::bench::contact {
 

@@ -5,7 +5,7 @@
 #include <goishi/rotation.hpp>
 #include <vector>
 
-#include "verify/oracles/hull.hpp"
+#include "verify/oracles/stone/hull.hpp"
 
 namespace goishi::verify::bench::contact {
 

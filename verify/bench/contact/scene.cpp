@@ -3,8 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "verify/flight_path_samples.hpp"
-#include "verify/oracles/brute_contact.hpp"
+#include "verify/oracles/contact/brute_contact.hpp"
+#include "verify/samples/flight_path.hpp"
 
 namespace goishi::verify::bench::contact {
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "verify/oracles/hull.hpp"
-#include "verify/samples.hpp"
+#include "verify/oracles/stone/hull.hpp"
+#include "verify/samples/stone.hpp"
 
 namespace goishi::verify::bench::contact {
 

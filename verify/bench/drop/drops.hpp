@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "compiled/drop.hpp"
 #include "verify/bench/race.hpp"
-#include "verify/compiled_drop.hpp"
-#include "verify/quantile.hpp"
+#include "verify/suite/quantile.hpp"
 
 namespace goishi::verify::bench::drops {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "verify/bench/drop/drops.hpp"
-#include "verify/oracles/published_loop.hpp"
+#include "verify/oracles/published/loop.hpp"
 #include "verify/report/number.hpp"
 
 namespace goishi::verify::bench::drops {

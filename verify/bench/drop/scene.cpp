@@ -1,7 +1,7 @@
 #include <random>
 
 #include "verify/bench/drop/drops.hpp"
-#include "verify/samples.hpp"
+#include "verify/samples/stone.hpp"
 
 namespace goishi::verify::bench::drops {
 

@@ -6,7 +6,7 @@
 
 #include "verify/bench/drop/drops.hpp"
 #include "verify/report/number.hpp"
-#include "verify/samples.hpp"
+#include "verify/samples/stone.hpp"
 
 namespace goishi::verify::bench::drops {
 

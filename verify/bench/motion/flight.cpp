@@ -6,7 +6,7 @@
 
 #include "verify/bench/motion/motion.hpp"
 #include "verify/bench/native.hpp"
-#include "verify/samples.hpp"
+#include "verify/samples/stone.hpp"
 
 namespace goishi::verify::bench::motion {
 

@@ -6,7 +6,7 @@
 #include <goishi/shape/catalogue.hpp>
 #include <limits>
 
-#include "verify/oracles/multiprecision.hpp"
+#include "verify/oracles/numbers/multiprecision.hpp"
 
 namespace goishi::verify::bench::motion {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "verify/bench/race.hpp"
-#include "verify/oracles/free_body.hpp"
+#include "verify/oracles/motion/free_body.hpp"
 
 namespace goishi::verify::bench::motion {
 

@@ -1,0 +1,366 @@
+/// DOMAIN-CONTACT: contact queries to the ends of what they are said to take, in float and in double.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cfenv>
+#include <cmath>
+
+#include "verify/claims/claims.hpp"
+#include "verify/samples/domain_scene.hpp"
+
+namespace goishi::verify {
+
+namespace {
+
+using namespace domain;
+
+template <class T>
+void see_magnitudes(Context& context, Worst& worst, int count) {
+  for (int i = 0; i < count; ++i) {
+    const Drawn drawn = draw(context, i);
+    const Scene<T> usual = make_scene<T>(drawn, T(1));
+    const auto [smallest, largest] = sizes_taken(usual);
+    const int e =
+        i % 8 == 0 ? (i % 16 == 0 ? largest : smallest) : static_cast<int>(context.uniform(smallest, largest));
+    const T factor = std::ldexp(T(1), e);
+    const Scene<T> other = make_scene<T>(drawn, factor);
+    const Long scale = size_of(usual) * epsilon<T>;
+    const auto expected = separations(usual), found = separations(other);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto describe_case = [&] {
+        return fmt::format("{} 2^{} ({}): {}, {}", kinds[k], e, defect(found[k]), describe(drawn.first, drawn.pose),
+                           describe(drawn.second, drawn.other_pose));
+      };
+      const Long off = produced(context, found[k]) / static_cast<Long>(factor) - static_cast<Long>(expected[k].gap);
+      worst.see(defect(found[k]).empty() && found[k].certified == expected[k].certified ? 0.0 : wrong, describe_case);
+      worst.see(static_cast<double>(std::fabs(static_cast<Long>(context.produced(1.0)) - 1 + off / scale)),
+                describe_case);
+    }
+    // Times are the same, where the flight is within what is taken.
+    if (i % 4 != 0 || !(greatest(other.stone, other.path) < most_of<T> / 2) ||
+        !(greatest(other.other, other.other_path) < most_of<T> / 2) ||
+        !(static_cast<Long>(other.board.half_width + other.board.half_length) < most_of<T> / 2)) {
+      continue;
+    }
+    const T horizon = T(1) / T(4);
+    const auto when = impacts(usual, horizon), then = impacts(other, horizon);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double off = std::fabs(static_cast<double>(then[k].time - when[k].time));
+      worst.see(then[k].status == when[k].status && off <= 1e-9 ? 0.0 : wrong, [&] {
+        return fmt::format("time of impact, {} 2^{}: {} at {} for {} at {}; {}, {}", kinds[k], e,
+                           to_string(then[k].status), then[k].time, to_string(when[k].status), when[k].time,
+                           describe(drawn.first, drawn.pose), describe(drawn.second, drawn.other_pose));
+      });
+    }
+  }
+}
+
+template <class T>
+void see_far(Context& context, Worst& worst, int count) {
+  for (int i = 0; i < count; ++i) {
+    Drawn drawn = draw(context, 2 * i + 1);
+    Scene<T> scene = make_scene<T>(drawn, T(1));
+    const T away = std::ldexp(T(1), static_cast<int>(context.uniform(0.0, span<T>)));
+    const Vec3<T> along = i % 4 == 0 ? Vec3<T>(Vec3<T>::Unit(i / 4 % 3)) : narrow<T>(draw_unit(context));
+    scene.pose.p_WB = away * along;
+    scene.other_pose.p_WB = narrow<T>(drawn.other_pose.p_WB);
+    const Vec3<Long> p = scene.pose.p_WB.template cast<Long>();
+    const Long reach = static_cast<Long>(outer_width(scene.stone)) / 2;
+    const Long other_reach = static_cast<Long>(outer_width(scene.other)) / 2;
+    const auto found = separations(scene);
+    const auto beyond = [](Long x) { return std::max(x, Long(0)); };
+    // From the centre to the plane, to the board where it is beside it, to the other centre.
+    const Long X = beyond(std::fabs(p.x()) - static_cast<Long>(scene.board.half_width));
+    const Long Y = beyond(std::fabs(p.y()) - static_cast<Long>(scene.board.half_length));
+    const std::array<Long, 3> distances = {
+        scene.plane.n_W.template cast<Long>().dot(p) - static_cast<Long>(scene.plane.offset),
+        std::sqrt(X * X + Y * Y + beyond(p.z()) * beyond(p.z())),
+        (p - scene.other_pose.p_WB.template cast<Long>()).norm()};
+    const std::array<Long, 3> reaches = {reach, reach, reach + other_reach};
+    const Long scale = (size_of(scene) + p.norm()) * epsilon<T>;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Long gap = produced(context, found[k]);
+      const auto describe_case = [&] {
+        return fmt::format("{} from afar ({}): gap {}, distance {}; {}, {}", kinds[k], defect(found[k]),
+                           static_cast<double>(gap), static_cast<double>(distances[k]),
+                           describe(drawn.first, drawn.pose), describe(drawn.second, drawn.other_pose));
+      };
+      worst.see(defect(found[k]).empty() ? 0.0 : wrong, describe_case);
+      if (k == 1 && !(distances[k] > 0)) {
+        continue;  // inside
+      }
+      worst.see(static_cast<double>(std::max({distances[k] - reaches[k] - gap, gap - distances[k], Long(0)}) / scale),
+                describe_case);
+      worst.see(std::fabs(static_cast<double>(found[k].p_stone.template cast<Long>().dot(along.template cast<Long>()) -
+                                              p.dot(along.template cast<Long>()))) <=
+                        static_cast<double>(2 * reach + 16 * scale)
+                    ? 0.0
+                    : wrong,
+                describe_case);
+    }
+  }
+}
+
+template <class T>
+void see_attitudes(Context& context, Worst& worst, int count) {
+  for (int i = 0; i < count; ++i) {
+    const Drawn drawn = draw(context, i);
+    const Scene<T> unit = make_scene<T>(drawn, T(1));
+    Scene<T> off = unit;
+    const T share = static_cast<T>(i % 2 == 0 ? 60.0 : -60.0) * std::numeric_limits<T>::epsilon();
+    off.pose.q_WB.coeffs() *= std::sqrt(T(1) + share);
+    const auto expected = separations(unit), found = separations(off);
+    const Long scale = size_of(unit) * epsilon<T>;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto describe_case = [&] {
+        return fmt::format("{}, |q|² off by {}: {}, {}", kinds[k], share, describe(drawn.first, drawn.pose),
+                           describe(drawn.second, drawn.other_pose));
+      };
+      if (found[k].certified && expected[k].certified) {
+        worst.see(
+            static_cast<double>(std::fabs(produced(context, found[k]) - static_cast<Long>(expected[k].gap)) / scale),
+            describe_case);
+      }
+      worst.see(defect(found[k]).empty() ? 0.0 : wrong, describe_case);
+    }
+    // Taken as it is: by |q|² − 1 of the width.
+    const T taken = surface_gap(off.stone, off.pose) - surface_gap(unit.stone, unit.pose);
+    worst.see(static_cast<double>(
+                  std::max(std::fabs(static_cast<Long>(taken)) -
+                               std::fabs(static_cast<Long>(share)) * static_cast<Long>(outer_width(unit.stone)),
+                           Long(0)) /
+                  scale),
+              [&] { return "surface_gap: " + describe(drawn.first, drawn.pose); });
+  }
+}
+
+template <class T>
+void see_rounding(Context& context, Worst& worst, int count) {
+  for (int i = 0; i < count; ++i) {
+    const Drawn drawn = draw(context, i);
+    const Scene<T> scene = make_scene<T>(drawn, T(1));
+    const auto expected = separations(scene);
+    const Long unit = size_of(scene) * epsilon<T>;
+    for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+      std::fesetround(mode);
+      const auto found = separations(scene);
+      const auto when = impacts(scene, T(1) / T(8));
+      std::fesetround(FE_TONEAREST);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Long scale = (k == 2 ? 10 : 1) * unit;  // as what is said of their errors
+        const auto describe_case = [&] {
+          return fmt::format("{}, rounding {} ({}): {}, {}", kinds[k], mode, defect(found[k]),
+                             describe(drawn.first, drawn.pose), describe(drawn.second, drawn.other_pose));
+        };
+        worst.see(defect(found[k]).empty() && std::isfinite(when[k].time) ? 0.0 : wrong, describe_case);
+        if (found[k].certified && expected[k].certified) {
+          worst.see(
+              static_cast<double>(std::fabs(produced(context, found[k]) - static_cast<Long>(expected[k].gap)) / scale),
+              describe_case);
+        }
+      }
+    }
+  }
+}
+
+/// Stones of denormal numbers are refused; poses of denormal numbers are zeros.
+template <class T>
+void see_denormals(Context& context, Worst& worst, int count) {
+  for (int i = 0; i < count; ++i) {
+    const Drawn drawn = draw(context, i);
+    bool refused = false;
+    try {
+      (void)make_scene<T>(drawn, std::ldexp(T(1), std::numeric_limits<T>::min_exponent + 2));
+    } catch (const InvalidArgument&) {
+      refused = true;
+    }
+    Scene<T> zero = make_scene<T>(drawn, T(1));
+    zero.pose.p_WB = Vec3<T>::Zero();
+    Scene<T> little = zero;
+    const auto least = [&] {
+      return T(static_cast<T>(std::floor(context.uniform(-100.0, 100.0))) * std::numeric_limits<T>::denorm_min());
+    };
+    for (T& coordinate : little.pose.p_WB) {
+      coordinate = least();
+    }
+    if (i % 2 == 0) {  // in each other's middle
+      zero.other_pose.p_WB = Vec3<T>::Zero();
+      little.other_pose.p_WB = {least(), least(), least()};
+    }
+    const auto expected = separations(zero), found = separations(little);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto describe_case = [&] {
+        return fmt::format("{}, denormal ({}): gap {} for {}; {}, {}", kinds[k], defect(found[k]), found[k].gap,
+                           expected[k].gap, describe(drawn.first, drawn.pose),
+                           describe(drawn.second, drawn.other_pose));
+      };
+      worst.see(refused && defect(found[k]).empty() ? 0.0 : wrong, describe_case);
+      if (found[k].certified && expected[k].certified) {
+        worst.see(static_cast<double>(std::fabs(produced(context, found[k]) - static_cast<Long>(expected[k].gap)) /
+                                      (size_of(zero) * epsilon<T>)),
+                  describe_case);
+      }
+    }
+  }
+}
+
+/// Flights whose numbers are of all magnitudes, each for itself: the answer makes sense, or the flight is refused where it
+/// is said to be.
+template <class T>
+void see_flights(Context& context, Worst& worst, int count) {
+  int refused = 0;
+  for (int i = 0; i < count; ++i) {
+    const Drawn drawn = draw(context, 2 * i + 1);
+    Scene<T> scene = make_scene<T>(drawn, T(1));
+    const auto any = [&] { return std::ldexp(T(1), static_cast<int>(context.uniform(-1.1, 1.1) * span<T>)); };
+    scene.path.v_W = (i % 3 == 0 ? T(1) : any()) * narrow<T>(draw_unit(context));
+    scene.path.a_W = (i % 5 == 0 ? T(0) : any()) * narrow<T>(draw_unit(context));
+    scene.path.p_W = (i % 2 == 0 ? T(1) : any()) * narrow<T>(draw_unit(context));
+    scene.path.rate = i % 7 == 0 ? any() : T(10);
+    const Vec3<T> n = scene.plane.n_W;
+    const T horizon = i % 4 == 0 ? std::numeric_limits<T>::infinity() : any();
+    const auto size = [](const Vec3<T>& v) { return static_cast<Long>(v.template lpNorm<1>()); };
+    const bool taken = greatest(scene.stone, scene.path) < most_of<T> * 0.99L;
+    const bool not_taken = greatest(scene.stone, scene.path) > most_of<T> * 1.01L;
+    TimeOfImpact<T> found;
+    const auto describe_case = [&] {
+      return fmt::format("flight, {} at {}, rate {}, |p| {}, |v| {}, |a| {}, horizon {}: {}", to_string(found.status),
+                         found.time, scene.path.rate, scene.path.p_W.norm(), scene.path.v_W.norm(),
+                         scene.path.a_W.norm(), horizon, describe(drawn.first));
+    };
+    try {
+      found = time_of_impact(scene.stone, scene.path, scene.plane, horizon);
+      (void)time_of_impact(scene.stone, scene.path, scene.board, horizon);
+    } catch (const InvalidArgument&) {
+      ++refused;
+      worst.see(taken ? wrong : 0.0, describe_case);
+      continue;
+    }
+    worst.see(not_taken ? wrong : 0.0, describe_case);
+    if (found.status == ImpactStatus::none || found.status == ImpactStatus::overlapping) {
+      const T expected = found.status == ImpactStatus::none ? horizon : T(0);
+      worst.see(found.time == expected ? 0.0 : wrong, describe_case);
+    }
+    if (found.status == ImpactStatus::hit) {
+      worst.see(defect(found.contact).empty() && found.time >= T(0) && found.time <= horizon ? 0.0 : wrong,
+                describe_case);
+    }
+    // The centre is never nearer than half the thickness before, and at a hit no farther than half the width.
+    const auto height = [&](Long t) {
+      const Vec3<Long> p = scene.path.p_W.template cast<Long>(), v = scene.path.v_W.template cast<Long>(),
+                       a = scene.path.a_W.template cast<Long>();
+      const Vec3<Long> m = n.template cast<Long>();
+      return m.dot(p) + t * (m.dot(v) + t / 2 * m.dot(a)) - static_cast<Long>(scene.plane.offset);
+    };
+    const auto noise = [&](Long t) {
+      return epsilon<T> *
+             (8 * size_of(scene) + size(scene.path.p_W) + t * (size(scene.path.v_W) + t * size(scene.path.a_W)) +
+              static_cast<Long>(scene.stone.sphere_radius));
+    };
+    const Long end =
+        std::isfinite(found.time) ? static_cast<Long>(context.produced(static_cast<double>(found.time))) : Long(1e3);
+    if (found.status != ImpactStatus::overlapping) {
+      for (int k = 0; k < 20; ++k) {
+        const Long t = end * k / 20;
+        worst.see(
+            static_cast<double>(std::max(static_cast<Long>(scene.stone.height) / 2 - height(t), Long(0)) / noise(t)),
+            describe_case);
+      }
+    }
+    if (found.status == ImpactStatus::hit) {
+      const Long reach = static_cast<Long>(outer_width(scene.stone)) / 2;
+      worst.see(static_cast<double>(std::max(height(end) - reach, Long(0)) / noise(end)), describe_case);
+    }
+  }
+  worst.see(refused > 0 ? 0.0 : wrong, [] { return "none was refused"; });
+}
+
+template <class See>
+Measurement in_both(Context& context, See&& see) {
+  Worst worst;
+  see(context, worst, float());
+  see(context, worst, double());
+  return worst.measurement();
+}
+
+}  // namespace
+
+std::vector<Claim> domain_contact_claims() {
+  const auto claim = [](const char* id, const char* statement, const char* oracle, OracleFamily family, double bound,
+                        const char* reason, std::vector<Mutant> mutants, std::function<Measurement(Context&)> measure) {
+    return Claim{.id = id,
+                 .statement = statement,
+                 .function = "separation (plane, board, stones), surface_gap, time_of_impact",
+                 .family = family,
+                 .oracle = oracle,
+                 .checks = {{.unit = "ε of float or double, of widths and distances",
+                             .bound = bound,
+                             .reason = reason,
+                             .resolution = 0.25}},
+                 .mutants = std::move(mutants),
+                 .measure = std::move(measure)};
+  };
+  return {
+      claim("DOMAIN-CONTACT-1",
+            "A scene as small or as large as its stones may be (`require_length`) has as many times the gaps and the "
+            "same "
+            "times of impact.",
+            "the same scene at its usual size; the factor is a power of two", OracleFamily::relation, 8.0,
+            "a search in another world of another size rounds as it does in this one; points are moved there",
+            {{"contact/stone_stone.hpp", "return Squares<T>::hold(pair.scale) ?", "return true ?"}},
+            [](Context& context) {
+              return in_both(context, [](Context& c, Worst& worst, auto t) {
+                see_magnitudes<decltype(t)>(c, worst, c.samples(1500, 20000));
+              });
+            }),
+      claim("DOMAIN-CONTACT-2",
+            "From up to 1e150 away, 1e18 in float, a gap is the distance of the centre less what the stones reach.",
+            "the distances of points", OracleFamily::exact, 8.0, "the roundings of the place, of a product and of sums",
+            {{"contact/contact.hpp", "result.gap / factor", "result.gap"}},
+            [](Context& context) {
+              return in_both(context, [](Context& c, Worst& worst, auto t) {
+                see_far<decltype(t)>(c, worst, c.samples(2000, 20000));
+              });
+            }),
+      claim("DOMAIN-CONTACT-3",
+            "An attitude whose |q|² is off by 60 ε, as much as is taken, changes no gap by more than round-off.",
+            "the same attitude, normalised", OracleFamily::relation, 64.0,
+            "the axis is off by some ε; of two stones ten times as much, as what is said of their error",
+            {{"contact/contact.hpp", "formula::symmetry_axis(formula::reunited(pose.q_WB))",
+              "formula::symmetry_axis(pose.q_WB)"}},
+            [](Context& context) {
+              return in_both(context, [](Context& c, Worst& worst, auto t) {
+                see_attitudes<decltype(t)>(c, worst, c.samples(2000, 20000));
+              });
+            }),
+      claim("DOMAIN-CONTACT-4", "Gaps are right in each rounding mode.", "the gap in the usual one",
+            OracleFamily::relation, 64.0,
+            "as many roundings, all to one side; of two stones ten times as much, as what is said of their error", {},
+            [](Context& context) {
+              return in_both(context, [](Context& c, Worst& worst, auto t) {
+                see_rounding<decltype(t)>(c, worst, c.samples(1000, 10000));
+              });
+            }),
+      claim("DOMAIN-CONTACT-5", "Stones of denormal numbers are refused; places of denormal numbers are zeros.",
+            "the same scene with zeros", OracleFamily::relation, 8.0, "the roundings of a search",
+            {{"contact/contact.hpp", "length < T(1) ? larger : smaller", "smaller"}},
+            [](Context& context) {
+              return in_both(context, [](Context& c, Worst& worst, auto t) {
+                see_denormals<decltype(t)>(c, worst, c.samples(1000, 10000));
+              });
+            }),
+      claim("DOMAIN-CONTACT-6",
+            "Flights of numbers of all magnitudes are answered with sense, or refused where they are said to be.",
+            "the parabola of the centre in long double", OracleFamily::exact, 64.0,
+            "the round-off of the parabola at the time",
+            {{"contact/flight_path.hpp", "r * scalar::sq(path.rate) < most", "true"}},
+            [](Context& context) {
+              return in_both(context, [](Context& c, Worst& worst, auto t) {
+                see_flights<decltype(t)>(c, worst, c.samples(4000, 40000));
+              });
+            }),
+  };
+}
+
+}  // namespace goishi::verify

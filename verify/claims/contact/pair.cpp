@@ -1,0 +1,155 @@
+/// CONTACT: two stones.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "verify/claims/claims.hpp"
+#include "verify/samples/pose.hpp"
+
+namespace goishi::verify {
+
+namespace {
+
+using Long3 = Vec3<long double>;
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// A pair as the oracle sees it.
+struct Witness {
+  Standing one, two;
+  explicit Witness(const Pair& pair)
+      : one(standing(narrow(hull_of(pair.first)), pair.pose)),
+        two(standing(narrow(hull_of(pair.second)), pair.other_pose)) {}
+  [[nodiscard]] long double along(const Vec3<double>& n_W) const {
+    const Triple<long double> n = triple(Long3(n_W.cast<long double>().normalized()));
+    return nearest_along(one, n) + nearest_along(two, {-n[0], -n[1], -n[2]});
+  }
+};
+
+/// What must hold for any pair: the gap is that of its normal, the points are on the stones; and if it is certified, the
+/// gap is that of the two points, of the swapped pair, and 0 after the push-out.
+template <class See>
+void see_consistent(const Context& context, const Pair& pair, const Witness& witness, const Separation<double>& at,
+                    bool cores_overlap, See&& see) {
+  const double gap = context.produced(at.gap);
+  see(std::fabs(static_cast<double>(witness.along(at.n_W) - static_cast<long double>(gap))),
+      "the gap is not that of its normal");
+  const Separation<double> swapped = separation(pair.second.stone, pair.other_pose, pair.first.stone, pair.pose);
+  if (at.certified && swapped.certified) {
+    see(std::fabs(swapped.gap - gap), "the gap, stones swapped");
+  }
+  // A thin stone's support point turns about its sphere's centre.
+  const double scale = std::max(2.0 * reach_of(pair), (pair.pose.p_WB - pair.other_pose.p_WB).norm());
+  const double radii = pair.first.stone.sphere_radius + pair.second.stone.sphere_radius;
+  see(std::fabs(outside_stone(witness.one.hull, pair.pose, at.p_stone)), "p_stone is not on the stone");
+  see(std::fabs(outside_stone(witness.two.hull, pair.other_pose, at.p_other)), "p_other is not on the other");
+  Pair pushed = pair;
+  pushed.pose.p_WB -= at.gap * at.n_W;
+  if (at.certified) {
+    // Of cores that overlap, a climb ends where the gap is right; how well the normal is, CONTACT-7 says.
+    const Vec3<double> between = at.p_stone - at.p_other;
+    const double off = cores_overlap ? std::fabs(at.n_W.dot(between) - gap) : (between - gap * at.n_W).norm();
+    see(off / (1.0 + radii / scale), "p_stone − p_other = gap n");
+    see(std::fabs(context.produced(separation(pushed).gap)), "the gap after the push-out");
+  }
+}
+
+/// `cores_overlap`: of which pairs.
+Measurement measure_pairs(Context& context, bool cores_overlap, int count) {
+  Worst worst;
+  std::array<int, pair_strata.size()> drawn{};
+  int seen = 0, uncertified = 0, short_of = 0;
+  double worst_uncertified = 0.0;
+  for (int i = 0; seen < count; ++i) {
+    const Pair pair = draw_pair(context, i);
+    const Separation<double> at = separation(pair);
+    const double bevels = pair.first.stone.bevel_minor_radius + pair.second.stone.bevel_minor_radius;
+    if ((at.gap + bevels <= 0.0) != cores_overlap) {
+      continue;
+    }
+    ++seen;
+    ++drawn[static_cast<std::size_t>(i % pair_strata_count)];
+    uncertified += !at.certified;
+    const Witness witness(pair);
+    const double scale = std::max(2.0 * reach_of(pair), (pair.pose.p_WB - pair.other_pose.p_WB).norm());
+    const auto see = [&](double error, const char* name) {
+      worst.see(error / scale, [&] {
+        return fmt::format("{} ({}{}): {}, gap {:.6g}", name,
+                           pair_strata[static_cast<std::size_t>(i % pair_strata_count)],
+                           at.certified ? "" : ", not certified", describe(pair), at.gap);
+      });
+    };
+    see(at.certified || (cores_overlap && at.gap < 0.0) ? 0.0 : scale, "no certificate");
+    see_consistent(context, pair, witness, at, cores_overlap, see);
+    const Best best = search_pair(witness.one, witness.two, 20);
+    const double better = static_cast<double>(best.value - static_cast<long double>(context.produced(at.gap)));
+    if (at.certified) {
+      see(better, "a better normal was found");
+    } else {
+      worst_uncertified = std::max(worst_uncertified, better / scale);
+    }
+    short_of += !(-better <= 1e-9 * scale);
+  }
+  see_search(worst, short_of, seen);
+  worst.see(20 * uncertified <= seen ? 0.0 : 1.0, [] { return "more than one in twenty without a certificate"; });
+  Measurement result = worst.measurement();
+  std::string strata;
+  for (std::size_t k = 0; k < drawn.size(); ++k) {
+    strata += fmt::format("{}{} {}", k == 0 ? "" : ", ", pair_strata[k], drawn[k]);
+  }
+  result.figures = {{"pairs", strata},
+                    {"without a certificate", fmt::format("{} of {}, a better normal by up to {:.2g} of the widths",
+                                                          uncertified, seen, worst_uncertified)},
+                    {"the search was not within 1e-9 of the width", fmt::format("{} of {}", short_of, seen)}};
+  return result;
+}
+
+}  // namespace
+
+std::vector<Claim> contact_pair_claims() {
+  return {
+      {.id = "CONTACT-4",
+       .statement =
+           "The gap of two stones that are apart, or overlap by no more than their bevels, is the greatest separation "
+           "over all normals, the same with the stones swapped, that of the two contact points, and 0 after the "
+           "push-out.",
+       .function = "separation (stones)",
+       .family = OracleFamily::brute_force,
+       .oracle = "a search over the sphere of normals, its best valued in long double; primal against dual",
+       .checks = {{.unit = "of the widths or the distance",
+                   .bound = 1e-12,
+                   .reason = "the bar; thin stones add the roundings of their spheres, 250 widths in radius",
+                   .resolution = epsilon}},
+       .mutants = {{"contact/pair_closed.hpp", "meets_with_cap(pair.second, sign2, caps, caps2)", "true"},
+                   {"contact/pair_closed.hpp", "meets_with_rim(pair.second, rim2, rim2_2)", "true"},
+                   {"contact/stone_stone.hpp", "result.gap = formula::dot(pair.between, n) -",
+                    "result.gap = T(1001) / T(1000) * formula::dot(pair.between, n) -"},
+                   {"contact/stone_stone.hpp", "result.p_other = formula::plus(second.p_W, on_second.x_W);",
+                    "result.p_other = formula::minus(second.p_W, on_second.x_W);"}},
+       .measure = [](Context& context) { return measure_pairs(context, false, context.samples(1500, 12000)); }},
+      {.id = "CONTACT-5",
+       .statement =
+           "Where the cores of two stones overlap, too, no normal separates more than the one that is given, if it is "
+           "certified; of rims that cross near the greatest depth at which they can hold each other, of stones that "
+           "are "
+           "nearly balls and of stones with one centre, a few are not.",
+       .function = "separation (stones)",
+       .family = OracleFamily::brute_force,
+       .oracle = "a search over the sphere of normals, its best valued in long double",
+       .checks = {{.unit = "of the widths",
+                   .bound = 1e-12,
+                   .reason = "the bar; thin stones add the roundings of their spheres, 250 widths in radius",
+                   .resolution = epsilon}},
+       .mutants = {{"contact/stone_stone.hpp", "try_caps(pair, best);", ""},
+                   {"contact/pair_closed.hpp", "try_normal(from_rim(from_first, pair.second));", ""},
+                   {"contact/pair_closed.hpp", "for (const T& sign : {T(1), T(-1)}) {",
+                    "for (const T& sign : {T(1)}) {"},
+                   {"contact/rim_rim.hpp", "take(minimum(low, high));", ""},
+                   {"contact/rim_rim.hpp", "const T ratio = c1_ / least_rho;", "const T ratio(0);"}},
+       .measure = [](Context& context) { return measure_pairs(context, true, context.samples(1500, 12000)); }},
+  };
+}
+
+}  // namespace goishi::verify

@@ -1,0 +1,242 @@
+/// CONTACT: where bodies touch, and along which normal.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "verify/claims/claims.hpp"
+#include "verify/samples/pose.hpp"
+
+namespace goishi::verify {
+
+namespace {
+
+using Long = long double;
+using Long3 = Vec3<Long>;
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+Measurement measure_plane(Context& context) {
+  Worst worst;
+  for (int i = 0; i < context.samples(2000, 20000); ++i) {
+    const PlaneCase drawn = draw_plane_case(context, i);
+    const Stone<double>& stone = drawn.specimen.stone;
+    const Separation<double> at = separation(stone, drawn.pose, drawn.plane);
+    // The axis is rounded; the point moves by the sphere's radius for each radian of it.
+    const Digits50 off = sqrt((exact(context.produced(at.p_stone)) - drawn.lowest).squaredNorm());
+    worst.see(static_cast<double>(off) / (drawn.scale + stone.sphere_radius), [&] { return describe(drawn); });
+  }
+  return worst.measurement();
+}
+
+// --- bodies of several normals
+
+Long3 vector(const Triple<Long>& v) {
+  return {v[0], v[1], v[2]};
+}
+
+/// The point of the stone that is farthest against n.
+Long3 lowest_point(const Standing& stone, const Long3& n) {
+  const Long3 u = vector(stone.u);
+  const Long axial = u.dot(n);
+  const Long3 across = n - axial * u;
+  const Long radial = across.norm();
+  const auto [rho, height] = farthest(stone.hull, radial, axial);
+  return vector(stone.p) - (radial > 0 ? Long3(rho / radial * across) : Long3(Long3::Zero())) - height * u;
+}
+
+/// What lies between two bodies along a normal: from the other body's support point to the stone's, its part along the
+/// normal the separation, the rest the separation's gradient.
+struct Between {
+  std::function<Long3(const Long3&)> stone, other;
+  Long3 operator()(const Long3& n) const { return stone(n) - other(n); }
+};
+
+/// Newton's step to the stationary normal, in the space of one or two directions across n.
+struct Correction {
+  Long3 step;
+  Long stiffness;  // the least eigenvalue: what a normal that is off by one radian costs in slope [m]
+};
+
+/// Curvatures by differences to the side of these signs: at the joint of cap and rim they jump.
+Correction correction(const Between& between, const Long3& n, const std::vector<Long3>& directions,
+                      const std::array<Long, 2>& signs) {
+  constexpr Long h = 1e-7L;
+  const Long3 w = between(n);
+  const auto change = [&](const Long3& e, Long sign) {
+    return Long3((between((n + sign * h * e).normalized()) - w) / (sign * h));
+  };
+  const Long gap = w.dot(n);
+  const Long3& e = directions.front();
+  const Long3 by_e = change(e, signs[0]);
+  const Long a = gap - by_e.dot(e);
+  if (directions.size() == 1) {
+    return {w.dot(e) / a * e, a};
+  }
+  const Long3& f = directions.back();
+  const Long3 by_f = change(f, signs[1]);
+  const Long b = (-by_e.dot(f) - by_f.dot(e)) / 2, c = gap - by_f.dot(f);
+  const Long determinant = a * c - b * b;
+  const Long s = (c * w.dot(e) - b * w.dot(f)) / determinant, t = (a * w.dot(f) - b * w.dot(e)) / determinant;
+  return {s * e + t * f, (a + c) / 2 - std::hypot((a - c) / 2, b)};
+}
+
+/// To the softest side.
+Correction correction(const Between& between, const Long3& n, const std::vector<Long3>& directions) {
+  Correction softest{Long3::Zero(), std::numeric_limits<Long>::infinity()};
+  if (!directions.empty()) {
+    for (const std::array<Long, 2>& signs : {std::array<Long, 2>{1, 1}, {1, -1}, {-1, 1}, {-1, -1}}) {
+      const Correction side = correction(between, n, directions, signs);
+      if (!(side.stiffness >= softest.stiffness)) {
+        softest = side;
+      }
+    }
+  }
+  return softest;
+}
+
+/// Directions across n in which the board's normal may turn.
+std::vector<Long3> free_directions(const Long3& n, bool on_board) {
+  std::vector<Long3> axes;
+  for (int k = 0; k < 3; ++k) {
+    if (!on_board || n[k] != 0) {
+      axes.emplace_back(Long3::Unit(k));
+    }
+  }
+  if (axes.size() == 1) {
+    return {};
+  }
+  if (axes.size() == 2) {
+    return {Long3(axes[0].cross(axes[1]).cross(n))};
+  }
+  const Long3 e = n.unitOrthogonal();
+  return {e, n.cross(e)};
+}
+
+struct Seen {
+  Checks checks;
+  int normals = 0, ill_conditioned = 0;
+
+  /// How far normal and points are off, where a radian of the normal costs a hundredth of the width. A support point moves
+  /// by the `radius` of its sphere for each radian.
+  template <class Describe>
+  void see(const Context& context, const Separation<double>& at, const Between& between, bool on_board, double width,
+           double radius, Describe&& describe) {
+    const Vec3<double> turned(context.produced(at.n_W.x()), at.n_W.y(), at.n_W.z());  // a length would not be seen
+    const Long3 n = Long3(turned.template cast<Long>()).normalized();
+    const Correction off = correction(between, n, free_directions(n, on_board));
+    if (!(off.stiffness > static_cast<Long>(0.01 * width))) {
+      ++ill_conditioned;
+      return;
+    }
+    ++normals;
+    checks["normal"].see(static_cast<double>(off.step.norm()), [&] { return "normal" + describe(); });
+    const Long3 right = (n + off.step).normalized(), on_stone = between.stone(right);
+    const Long3 on_other = on_stone - between(right).dot(right) * right;
+    const auto see_point = [&](const Vec3<double>& p, const Long3& expected, const char* name) {
+      const double far = static_cast<double>((context.produced(p).cast<Long>() - expected).norm());
+      checks["points"].see(far / (width + radius), [&] { return name + describe(); });
+    };
+    see_point(at.p_stone, on_stone, "p_stone");
+    see_point(at.p_other, on_other, "p_other");
+  }
+};
+
+Measurement measure_points(Context& context) {
+  Seen seen;
+  for (int i = 0; i < context.samples(4000, 40000); ++i) {
+    const Specimen specimen = draw_stone(context, i / 8);
+    const Board<double> board = draw_board(context, i / 48);
+    const Pose<double> pose = draw_board_pose(context, specimen.stone, board, i);
+    const Standing stone = standing(narrow(hull_of(specimen)), pose);
+    const Separation<double> at = separation(specimen.stone, pose, board);
+    const Between between{[&](const Long3& n) { return lowest_point(stone, n); },
+                          [&](const Long3& n) {
+                            return Long3(std::copysign(static_cast<Long>(board.half_width), n.x()),
+                                         std::copysign(static_cast<Long>(board.half_length), n.y()), 0);
+                          }};
+    seen.see(context, at, between, true, outer_width(specimen.stone), specimen.stone.sphere_radius, [&] {
+      return fmt::format(" ({}, {}): {}, board {:a} × {:a}, gap {:.6g}", board_strata[static_cast<std::size_t>(i % 8)],
+                         to_string(at.other_feature), describe(specimen, pose), board.half_width, board.half_length,
+                         at.gap);
+    });
+  }
+  const int at_board = seen.normals, hard_at_board = seen.ill_conditioned;
+  for (int i = 0; i < context.samples(3000, 30000); ++i) {
+    const Pair pair = draw_pair(context, i);
+    const Separation<double> at = separation(pair);
+    const Standing one = standing(narrow(hull_of(pair.first)), pair.pose),
+                   two = standing(narrow(hull_of(pair.second)), pair.other_pose);
+    const Between between{[&](const Long3& n) { return lowest_point(one, n); },
+                          [&](const Long3& n) { return lowest_point(two, Long3(-n)); }};
+    const double width = std::max(2.0 * reach_of(pair), (pair.pose.p_WB - pair.other_pose.p_WB).norm());
+    // Where the cores touch, a sharp rim has a fan of normals, and its edge is no better known.
+    const double cores = at.gap + pair.first.stone.bevel_minor_radius + pair.second.stone.bevel_minor_radius;
+    if (std::fabs(cores) < 1e-6 * width) {
+      ++seen.ill_conditioned;
+      continue;
+    }
+    seen.see(context, at, between, false, width, pair.first.stone.sphere_radius + pair.second.stone.sphere_radius, [&] {
+      return fmt::format(" ({}): {}, gap {:.6g}", pair_strata[static_cast<std::size_t>(i % pair_strata_count)],
+                         describe(pair), at.gap);
+    });
+  }
+  Measurement result = seen.checks.measurement();
+  result.figures = {{"at the board", fmt::format("{}; {} too ill conditioned to judge", at_board, hard_at_board)},
+                    {"of two stones", fmt::format("{}; {} too ill conditioned to judge", seen.normals - at_board,
+                                                  seen.ill_conditioned - hard_at_board)}};
+  return result;
+}
+
+}  // namespace
+
+std::vector<Claim> contact_point_claims() {
+  return {
+      {.id = "CONTACT-6",
+       .statement = "The contact point of a stone over a plane is its lowest point.",
+       .function = "separation (plane)",
+       .family = OracleFamily::other_formula,
+       .oracle = "the farthest point of caps and torus in 50 digits",
+       .checks = {{.unit = "of the greater of width and distance, plus the sphere's radius",
+                   .bound = 2e-15,
+                   .reason = "the axis, 2 ulp, turns the point about the sphere's centre; then as CONTACT-1",
+                   .resolution = epsilon / 4.0}},
+       .mutants = {{"contact/contact.hpp", "const T along = cap ? (upper ? height : T(-height))",
+                    "const T along = cap ? height"},
+                   {"contact/contact.hpp", "result.p_stone = formula::minus(placed.p_W, support.x_W);",
+                    "result.p_stone = formula::plus(placed.p_W, support.x_W);"}},
+       .measure = measure_plane},
+      {.id = "CONTACT-7",
+       .statement =
+           "Normal and contact points are those at which the separation is stationary, wherever a normal that is "
+           "off by a radian costs at least a hundredth of the width in slope.",
+       .function = "separation (board, stones)",
+       .family = OracleFamily::other_formula,
+       .oracle = "slope and curvature of the separation in long double, from the farthest points of caps and torus",
+       .checks =
+           {{.name = "normal",
+             .unit = "radians",
+             .bound = 2e-10,
+             .reason = "a fifth of the bar, 1e-9; what the last step of a search over the normals leaves. "
+                       "Resolution: a slope is "
+                       "rounded to ε of the sphere's radius, 250 widths, and divided by that hundredth",
+             .resolution = 250.0 * epsilon / 0.01},
+            {.name = "points",
+             .unit = "of the width and the spheres' radii",
+             .bound = 4e-12,
+             .reason =
+                 "on the stone and on what it meets they go with the normal, whose own error is judged above, by up to "
+                 "a fiftieth of it; measured 2026-11-30 with 40 seeds",
+             .resolution = 1e-13}},
+       .mutants = {{"contact/contact.hpp", "T(ring + stone.bevel_minor_radius)", "T(ring - stone.bevel_minor_radius)"},
+                   {"contact/arc.hpp", "value + ring * scalar::sq(arc.u_out) / square + stone.bevel_minor_radius",
+                    "value + ring / square + stone.bevel_minor_radius"},
+                   {"contact/pair.hpp", "T(16) * std::numeric_limits<T>::epsilon()",
+                    "T(16000000000) * std::numeric_limits<T>::epsilon()"}},
+       .measure = measure_points},
+  };
+}
+
+}  // namespace goishi::verify

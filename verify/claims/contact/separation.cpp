@@ -1,0 +1,214 @@
+/// CONTACT: gap, normal and contact points against search and against 50 digits.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <goishi/contact/stone_board.hpp>
+#include <goishi/contact/stone_plane.hpp>
+
+#include "verify/claims/claims.hpp"
+#include "verify/samples/pose.hpp"
+
+namespace goishi::verify {
+
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+using Long3 = Vec3<long double>;
+Measurement measure_plane(Context& context) {
+  Worst worst;
+  for (int i = 0; i < context.samples(2000, 20000); ++i) {
+    const PlaneCase drawn = draw_plane_case(context, i);
+    const auto see = [&](double gap, const char* name) {
+      worst.see(std::fabs(static_cast<double>(Digits50(Digits50(context.produced(gap)) - drawn.gap))) / drawn.scale,
+                [&] { return fmt::format("{}: {}", name, describe(drawn)); });
+    };
+    see(separation(drawn.specimen.stone, drawn.pose, drawn.plane).gap, "gap");
+    if (i % 4 == 0) {
+      see(surface_gap(drawn.specimen.stone, drawn.pose), "surface_gap");
+    }
+  }
+  return worst.measurement();
+}
+
+// --- the board
+
+long double along(const Standing& stone, const Board<double>& board, const Vec3<double>& n_W) {
+  const Triple<long double> n = triple(Long3(n_W.cast<long double>().normalized()));
+  return nearest_along(stone, n) - static_cast<long double>(board.half_width) * std::fabs(n[0]) -
+         static_cast<long double>(board.half_length) * std::fabs(n[1]);
+}
+
+Measurement measure_board(Context& context) {
+  Worst worst;
+  std::array<int, 6> features{};
+  int short_of = 0;
+  Specimen specimen;
+  Hull<long double> hull;
+  const int count = context.samples(3000, 60000);
+  for (int i = 0; i < count; ++i) {
+    if (i % 8 == 0) {
+      specimen = draw_stone(context, i / 8);
+      hull = narrow(hull_of(specimen));
+    }
+    const Board<double> board = draw_board(context, i / 48);
+    const Pose<double> pose = draw_board_pose(context, specimen.stone, board, i);
+    const Separation<double> computed = separation(specimen.stone, pose, board);
+    const Standing stone = standing(hull, pose);
+    const double width = outer_width(specimen.stone);
+    const double gap = context.produced(computed.gap);
+    const auto see = [&](double error, const char* name) {
+      worst.see(error / width, [&] {
+        return fmt::format("{} ({}): {}, board {:a} × {:a}, gap {:.6g}", name,
+                           board_strata[static_cast<std::size_t>(i % 8)], describe(specimen, pose), board.half_width,
+                           board.half_length, gap);
+      });
+    };
+    see(std::fabs(static_cast<double>(along(stone, board, computed.n_W) - static_cast<long double>(gap))),
+        "the gap is not that of its normal");
+    const Best best = search_board(stone, static_cast<long double>(board.half_width),
+                                   static_cast<long double>(board.half_length), 20);
+    const double better = static_cast<double>(best.value - static_cast<long double>(gap));
+    see(better, "a better normal was found");
+    short_of += !(-better <= 1e-9 * width);
+    ++features[static_cast<std::size_t>(computed.other_feature)];
+  }
+  see_search(worst, short_of, count);
+  Measurement result = worst.measurement();
+  for (const OtherFeature feature : {OtherFeature::surface, OtherFeature::side, OtherFeature::top_edge,
+                                     OtherFeature::vertical_edge, OtherFeature::corner}) {
+    result.figures.push_back(
+        {std::string(to_string(feature)), fmt::format("{} poses", features[static_cast<std::size_t>(feature)])});
+  }
+  result.figures.push_back({"the search was not within 1e-9 of the width", fmt::format("{} of {}", short_of, count)});
+  return result;
+}
+
+/// Points all over a stone, in B.
+std::vector<Long3> points_of(const Hull<long double>& hull) {
+  std::vector<Long3> points;
+  for (int i = 0; i <= 24; ++i) {
+    const auto [rho, z] = outline(hull, i / 24.0L);
+    for (int k = 0; k < 12; ++k) {
+      const long double azimuth = std::numbers::pi_v<long double> / 6 * k;
+      points.emplace_back(rho * std::cos(azimuth), rho * std::sin(azimuth), z);
+    }
+  }
+  return points;
+}
+
+Measurement measure_certificate(Context& context) {
+  Worst worst;
+  Specimen specimen;
+  Hull<long double> hull;
+  std::vector<Long3> points;
+  for (int i = 0; i < context.samples(4000, 50000); ++i) {
+    if (i % 8 == 0) {
+      specimen = draw_stone(context, i / 8);
+      hull = narrow(hull_of(specimen));
+      points = points_of(hull);
+    }
+    const Board<double> board = draw_board(context, i / 48);
+    Pose<double> pose = draw_board_pose(context, specimen.stone, board, i);
+    const Separation<double> at = separation(specimen.stone, pose, board);
+    const double width = outer_width(specimen.stone), gap = context.produced(at.gap);
+    const auto see = [&](double error, const char* name) {
+      worst.see(error / width, [&] {
+        return fmt::format("{} ({}): {}, board {:a} × {:a}, gap {:.6g}", name,
+                           board_strata[static_cast<std::size_t>(i % 8)], describe(specimen, pose), board.half_width,
+                           board.half_length, gap);
+      });
+    };
+    see(std::fabs(at.n_W.norm() - 1.0) * width, "the normal is no unit vector");
+    see(at.status == (at.gap < 0.0 ? SeparationStatus::overlapping : SeparationStatus::separated) && at.certified
+            ? 0.0
+            : width,
+        "status");
+    see((at.p_stone - at.p_other - gap * at.n_W).norm(), "p_stone − p_other = gap n");
+    // A thin stone's support point is found from its sphere's centre.
+    see(std::fabs(outside_stone(hull, pose, at.p_stone)) / (1.0 + specimen.stone.sphere_radius / width),
+        "p_stone is not on the stone");
+    const double reach = std::fabs(at.n_W.x()) * board.half_width + std::fabs(at.n_W.y()) * board.half_length;
+    const Quat<long double> q = pose.q_WB.cast<long double>().normalized();
+    const Long3 n = at.n_W.cast<long double>(), n_B = q.conjugate() * n;
+    const long double least = n.dot(Long3(pose.p_WB.cast<long double>())) - static_cast<long double>(reach + gap);
+    for (const Long3& x_B : points) {
+      see(-static_cast<double>(least + n_B.dot(x_B)), "a point of the stone lies beyond its plane");
+    }
+    pose.p_WB -= at.gap * at.n_W;
+    if (at.gap < 0.0 || i % 8 == 5) {
+      see(std::fabs(context.produced(separation(specimen.stone, pose, board).gap)), "the gap after the push-out");
+    }
+  }
+  return worst.measurement();
+}
+
+}  // namespace
+
+std::vector<Claim> contact_claims() {
+  return {
+      {.id = "CONTACT-1",
+       .statement =
+           "The gap between a stone and a plane is right: any shape, any attitude, at the switch of cap and rim.",
+       .function = "separation (plane), surface_gap",
+       .family = OracleFamily::other_formula,
+       .oracle = "the farthest point of caps and torus in 50 digits",
+       .checks = {{.unit = "of the greater of width and distance",
+                   .bound = 1.25e-15,
+                   .reason =
+                       "the product n · p has three roundings of the distance, the difference two, the axis 2 ulp",
+                   .resolution = epsilon / 4.0}},
+       .mutants = {{"contact/contact.hpp", "dot(n_W, placed.p_W) - offset - support_value",
+                    "dot(n_W, placed.p_W) - support_value"},
+                   {"contact/contact.hpp", "const T square = formula::dot(seen.radial_part, seen.radial_part);",
+                    "const T square = scalar::sqrt(dot(seen.radial_part, seen.radial_part));"},
+                   {"contact/stone_plane.hpp", "return height - formula::rim_support(stone, radial);",
+                    "return height - formula::rim_support(stone, height);"}},
+       .measure = measure_plane},
+      {.id = "CONTACT-2",
+       .statement =
+           "The gap or depth of a stone at the board is the greatest separation over all normals: surface, sides, "
+           "edges, corners, small boards, stones deep inside.",
+       .function = "separation (board)",
+       .family = OracleFamily::brute_force,
+       .oracle = "a search over sampled normals, refined by golden section and simplex, its best valued in long double",
+       .checks = {{.unit = "of the width",
+                   .bound = 1e-13,
+                   .reason =
+                       "the bar; the board's sides add roundings of ten widths, thin stones those of their spheres",
+                   .resolution = epsilon}},
+       .mutants = {{"contact/octant.hpp", "search_edge(2, 1, best);", ""},
+                   {"contact/octant.hpp", "search_corner(best);", ""},
+                   {"contact/octant.hpp", "search_edge(0, 1, best);", ""},
+                   {"contact/stone_board.hpp", "needs.side_x && needs_side(x.far, reach, gap)", "false"},
+                   {"contact/stone_board.hpp", "distance < reach || (gap < T(0) && distance < reach - gap)",
+                    "distance < reach"},
+                   {"contact/stone_board.hpp", "gap = surface < side ? side : surface;", "gap = T(0);"},
+                   {"contact/arc_search.hpp", "rim < stone_.sphere_radius ? rim : stone_.sphere_radius",
+                    "stone_.sphere_radius"},
+                   {"contact/arc.hpp", "stone.core_sphere_radius < reach", "T(0) < reach"}},
+       .measure = measure_board},
+      {.id = "CONTACT-3",
+       .statement =
+           "No point of the stone lies beyond the plane that is given; pushed out along the normal by the depth, "
+           "it touches.",
+       .function = "separation (board)",
+       .family = OracleFamily::invariant,
+       .oracle = "300 points of each stone, and the gap after the push-out",
+       .checks = {{.unit = "of the width",
+                   .bound = 1e-13,
+                   .reason = "the bar; the position after the push-out is rounded at ten widths from the middle",
+                   .resolution = epsilon}},
+       .mutants = {{"contact/contact.hpp", "formula::plus(result.p_stone, T(-result.gap), n_W)",
+                    "formula::plus(result.p_stone, T(0), n_W)"},
+                   {"contact/contact.hpp", "result.gap < T(0) ? SeparationStatus::overlapping",
+                    "T(0) < result.gap ? SeparationStatus::overlapping"},
+                   {"contact/stone_board.hpp", "Octant<T>(placed.stone, p, u)",
+                    "Octant<T>(placed.stone, placed.p_W, u)"}},
+       .measure = measure_certificate},
+  };
+}
+
+}  // namespace goishi::verify

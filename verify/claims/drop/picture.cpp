@@ -1,0 +1,109 @@
+/// DROP: what a drop looks like, and that its energy only falls.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "verify/claims/claims.hpp"
+#include "verify/samples/drop.hpp"
+
+namespace goishi::verify {
+
+namespace {
+
+/// Height, tilt and energy at a time of a drop: the same drop, stopped there.
+struct Look3 {
+  double height, tilt, energy;
+};
+
+Look3 seen_at(const Pebble& pebble, const State<double>& start, double time) {
+  DropSettings<double> settings;
+  settings.tolerance = 1e-7;
+  settings.horizon = time;
+  const Drop<double> drop = goishi::drop(pebble.stone, pebble.body, start, settings);
+  const Witnessed seen = witnessed(pebble, drop.state);
+  return {drop.state.p_WB.z(), as_double(seen.tilt) / degree, as_double(seen.energy) * pebble.body.mass};
+}
+
+Measurement measure_picture(Context& context) {
+  const Pebble pebble = size_33(0.001);
+  Worst worst;
+  const State<double> start = draw_fall(context, pebble.body);
+  const Drop<double> drop = dropped(pebble, start, 1e-9);
+  Series height{"height of the centre", {}}, tilt{"tilt", {}}, energy{"energy", {}};
+  const int count = context.samples(120, 400);
+  double last = std::numeric_limits<double>::infinity();
+  for (int i = 1; i <= count; ++i) {
+    const double time = drop.time * static_cast<double>(i) / static_cast<double>(count);
+    const Look3 look = seen_at(pebble, start, time);
+    height.points.emplace_back(time, 1e3 * look.height);
+    tilt.points.emplace_back(time, look.tilt);
+    energy.points.emplace_back(time, 1e6 * look.energy);
+    // The unit is the fall's energy.
+    const double rise = (context.produced(look.energy) - last) / (pebble.body.mass * g_earth * 0.05);
+    worst.see(std::max(0.0, rise), [&] { return fmt::format("at {} s", time); });
+    last = look.energy;
+  }
+  const auto marks = [&](EventKind kind, auto&& value) {
+    Series series{std::string(to_string(kind)), {}, false, Look::star};
+    for (const Event<double>& event : drop.events) {
+      if (event.kind == kind) {
+        series.points.emplace_back(event.time, value(event));
+      }
+    }
+    return series;
+  };
+  const auto with_marks = [&](Series line, auto&& value) {
+    std::vector<Series> all = {std::move(line)};
+    for (const EventKind kind : {EventKind::impact, EventKind::contact, EventKind::slip, EventKind::stick,
+                                 EventKind::feature, EventKind::lift_off, EventKind::rest}) {
+      if (Series series = marks(kind, value); !series.points.empty()) {
+        all.push_back(std::move(series));
+      }
+    }
+    return all;
+  };
+  Measurement result = worst.measurement();
+  const auto tilt_of = [&](const Event<double>& event) {
+    return as_double(witnessed(pebble, event.after).tilt) / degree;
+  };
+  result.plots = {{.title = "A drop: height against time",
+                   .x_label = "time [s]",
+                   .y_label = "height of the centre [mm]",
+                   .series = with_marks(height, [](const Event<double>& e) { return 1e3 * e.after.p_WB.z(); })},
+                  {.title = "The same drop: tilt of the axis",
+                   .x_label = "time [s]",
+                   .y_label = "tilt [°]",
+                   .series = with_marks(tilt, tilt_of)},
+                  {.title = "The same drop: energy",
+                   .x_label = "time [s]",
+                   .y_label = "energy over the board's surface [µJ]",
+                   .series = with_marks(energy, [](const Event<double>& e) { return 1e6 * e.energy; })}};
+  std::string kinds;
+  for (const Event<double>& event : drop.events) {
+    kinds += fmt::format("{}{} {:.4f} s", kinds.empty() ? "" : ", ", to_string(event.kind), event.time);
+  }
+  result.figures = {{"events", kinds}};
+  return result;
+}
+
+}  // namespace
+
+std::vector<Claim> drop_picture_claims() {
+  return {
+      {.id = "DROP-21",
+       .statement = "The energy of a drop, seen at any time, only falls (with pictures)",
+       .function = "drop",
+       .family = OracleFamily::invariant,
+       .oracle = "energy of the states, in long double",
+       .checks = {{.unit = "of the fall's energy",
+                   .bound = 2e-7,
+                   .reason = "each point is a drop of its own, at tolerance 1e-7",
+                   .resolution = 1e-8}},
+       .mutants = {{"drop/contact_state.hpp", "T(run.level + now.height)", "T(run.level + T(2) * now.height)"}},
+       .measure = measure_picture},
+  };
+}
+
+}  // namespace goishi::verify

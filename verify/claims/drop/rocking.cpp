@@ -1,0 +1,268 @@
+/// DROP: rocking and rolling, held against quadrature, invariants and an integration in the plane.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "verify/claims/claims.hpp"
+#include "verify/samples/drop.hpp"
+
+namespace goishi::verify {
+
+namespace {
+
+/// Tilt with its sign, of a stone that moves in the plane of x and z, and its rate.
+struct Tilt {
+  Long angle, rate;
+};
+
+Tilt tilt_of(const Pebble& pebble, const State<double>& state) {
+  const Witnessed seen = witnessed(pebble, state);
+  return {std::atan2(seen.u.x(), seen.u.z()), seen.w.y()};
+}
+
+// --- DROP-3
+
+/// A stone at rest, leaning, on cap or rim.
+State<double> let_go(const Pebble& pebble, double tilt) {
+  State<double> start = set_on_cap(pebble, leaning(tilt), {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0});
+  if (static_cast<Long>(tilt) > pebble.rocker().joint()) {
+    start.p_WB.z() = pebble.shape.torus_radius * std::sin(tilt) + pebble.shape.tube_radius;
+  }
+  return start;
+}
+
+/// The period by a drop: after nine quarters of what is expected the stone is nearly upright, and its rate tells when
+/// it is so.
+Long dropped_period(const Pebble& pebble, Footing footing, double tilt, Long expected, double tolerance) {
+  const double friction = footing == Footing::rolling ? no_slip : 0.0;
+  const Drop<double> dropped = drop(pebble, let_go(pebble, tilt), lossless(friction, tolerance), 9 * expected / 4);
+  const Tilt then = tilt_of(pebble, dropped.state);
+  return (static_cast<Long>(dropped.time) - then.angle / then.rate) * 4 / 9;
+}
+
+Plot frequency_plot(const Context& context, const Pebble& pebble) {
+  Plot plot{.title = "Rocking of size 33, bevelled: the contact passes from cap to bevel at 41.7°",
+            .x_label = "greatest tilt [°]",
+            .y_label = "frequency [Hz]",
+            .series = {}};
+  for (const auto& [footing, name] :
+       {std::pair(Footing::frictionless, "frictionless"), {Footing::rolling, "rolling"}}) {
+    Series curve{.name = fmt::format("{}, by quadrature", name), .points = {}};
+    Series points{.name = fmt::format("{}, dropped", name), .points = {}, .line = false, .look = Look::star};
+    for (int i = 2; i <= 80; i += 2) {
+      const Long period = rocking_period(pebble.rocker(), footing, i * degree);
+      curve.points.emplace_back(i, as_double(1 / period));
+      if (i % 10 == 0) {
+        const Long found = dropped_period(pebble, footing, i * degree, period, 1e-9);
+        points.points.emplace_back(i, as_double(1 / context.produced(found)));
+      }
+    }
+    plot.series.push_back(curve);
+    plot.series.push_back(points);
+  }
+  return plot;
+}
+
+Measurement measure_periods(Context& context) {
+  Worst worst;
+  std::vector<Figure> figures;
+  const Pebble sharp = size_33(), bevelled = size_33(0.001);
+  const auto see = [&](const Pebble& pebble, Footing footing, double tilt) {
+    const Long expected = rocking_period(pebble.rocker(), footing, tilt);
+    const Long found = context.produced(dropped_period(pebble, footing, tilt, expected, 1e-12));
+    worst.see(as_double(std::fabs(found / expected - 1)), [&] {
+      return fmt::format("{}, b = {:g}, from {:g} rad", footing == Footing::rolling ? "rolling" : "frictionless",
+                         pebble.shape.bevel, tilt);
+    });
+    return found;
+  };
+  for (const Footing footing : {Footing::rolling, Footing::frictionless}) {
+    for (const double tilt : {0.1, 1.0, 10.0, 25.0}) {
+      const Long period = see(sharp, footing, tilt * degree);
+      figures.push_back({fmt::format("{} from {:g}°", footing == Footing::rolling ? "rolling" : "frictionless", tilt),
+                         fmt::format("{:.9f} s, {:.6f} Hz", as_double(period), as_double(1 / period))});
+    }
+    for (const double tilt : {41.0, 42.0, 60.0, 80.0}) {
+      see(bevelled, footing, tilt * degree);
+    }
+    for (int i = 0; i < context.samples(6, 40); ++i) {
+      const double h = context.uniform(0.005, 0.015);
+      const Pebble other = make_pebble(0.022, h, h * context.uniform(0.05, 0.5));
+      see(other, footing, context.uniform(0.002, 0.8 * as_double(other.rocker().joint())));
+    }
+    // The frequencies of very small rocking that are printed.
+    const double printed = footing == Footing::rolling ? 7.6869 : 10.4976, small = 0.01 * degree;
+    const Long found = dropped_period(sharp, footing, small, rocking_period(sharp.rocker(), footing, small), 1e-12);
+    worst.see(std::fabs(context.produced(as_double(1 / found)) - printed) < 0.5e-4 ? 0.0 : 1.0,
+              [&] { return fmt::format("{} Hz", printed); });
+  }
+  Measurement result = worst.measurement();
+  result.figures = figures;
+  result.plots = {frequency_plot(context, bevelled)};
+  return result;
+}
+
+// --- DROP-6
+
+constexpr double decay_tolerance = 1e-12;
+
+/// Where each half swing ends, and where and when the stone rests.
+void see_decay(Context& context, Worst& worst, const Pebble& pebble, double tilt, double delta, Series* swings) {
+  DropSettings<double> settings = lossless(no_slip, decay_tolerance);
+  settings.rolling_resistance = delta;
+  const Losses losses{.rolling_resistance = delta};
+  const std::vector<PlanarMotion> turns = turning_points(pebble.rocker(), Footing::rolling, losses, tilt);
+  const State<double> start = set_on_cap(pebble, leaning(tilt), {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0});
+  const auto see = [&](double error, const std::string& name) {
+    worst.see(error, [&] { return fmt::format("{}: from {:g} rad, δ = {:g} m", name, tilt, delta); });
+  };
+  for (const PlanarMotion& turn : turns) {
+    if (&turn == &turns.back()) {
+      break;
+    }
+    const Tilt found = tilt_of(pebble, drop(pebble, start, settings, turn.time).state);
+    see(as_double(std::fabs(context.produced(found.angle) - turn.tilt)),
+        fmt::format("turn at {} s", as_double(turn.time)));
+    if (swings != nullptr) {
+      swings->points.emplace_back(as_double(turn.time), as_double(std::fabs(found.angle)) / degree);
+    }
+  }
+  const Drop<double> dropped = drop(pebble, start, settings, 100);
+  see(dropped.status == DropStatus::rest ? 0.0 : 1.0, "rests");
+  const Long rest = tilt_of(pebble, dropped.state).angle;
+  see(as_double(std::fabs(context.produced(rest) - turns.back().tilt)), "tilt at rest");
+  see(std::fabs(as_double(rest)) <= delta / pebble.shape.sphere_offset ? 0.0 : 1.0, "holds");
+  see(as_double(std::fabs(static_cast<Long>(context.produced(dropped.time)) / turns.back().time - 1)), "time of rest");
+}
+
+Measurement measure_decay(Context& context) {
+  Worst worst;
+  const Pebble pebble = size_33();
+  constexpr double tilt = 0.4, delta = 1e-4;
+  Series swings{.name = "turns, dropped", .points = {{0.0, tilt / degree}}, .line = false, .look = Look::star};
+  see_decay(context, worst, pebble, tilt, delta, &swings);
+  for (int i = 0; i < context.samples(1, 3); ++i) {
+    see_decay(context, worst, pebble, context.uniform(0.02, 0.5), std::pow(10.0, context.uniform(-4.5, -3.7)), nullptr);
+  }
+  Measurement result = worst.measurement();
+  const double drop_of_swing = 2.0 * delta / pebble.shape.sphere_offset / degree;
+  Series line{.name = "2δ/d per half swing", .points = {}, .look = Look::foreign};
+  for (std::size_t i = 0; i < swings.points.size(); ++i) {
+    line.points.emplace_back(swings.points[i].first, tilt / degree - drop_of_swing * static_cast<double>(i));
+  }
+  const std::vector<PlanarMotion> small =
+      turning_points(pebble.rocker(), Footing::rolling, {.rolling_resistance = 1e-6}, 0.01L);
+  result.figures = {{"drop in a half swing over 2δ/d",
+                     fmt::format("{:.4f} from {:g} rad; {:.6f} from 0.01 rad with δ = 1e-6 m",
+                                 (swings.points[0].second - swings.points[1].second) / drop_of_swing, tilt,
+                                 (0.01 - as_double(std::fabs(small[0].tilt))) * pebble.shape.sphere_offset / 2e-6)}};
+  result.plots = {{.title = "Rolling resistance of 1e-4 m: the tilt at each turn falls linearly",
+                   .x_label = "time [s]",
+                   .y_label = "tilt [°]",
+                   .series = {line, swings}}};
+  return result;
+}
+
+// --- DROP-16
+
+Measurement measure_damping(Context& context) {
+  Worst worst;
+  const Pebble pebble = size_33();
+  for (int i = 0; i < context.samples(5, 20); ++i) {
+    const double c = context.uniform(0.5, 5.0), tilt = context.uniform(0.01, 0.4), time = context.uniform(0.1, 1.0);
+    const auto see = [&](Long error, const char* name) {
+      worst.see(as_double(std::fabs(error)), [&] { return fmt::format("{}: c = {:a} 1/s, {:a} rad", name, c, tilt); });
+    };
+    for (const Footing footing : {Footing::rolling, Footing::frictionless}) {
+      DropSettings<double> settings = lossless(footing == Footing::rolling ? no_slip : 0.0, 1e-12);
+      settings.damping = c;
+      const State<double> start = set_on_cap(pebble, leaning(tilt), {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0});
+      const Tilt found = tilt_of(pebble, drop(pebble, start, settings, time).state);
+      const PlanarMotion expected = rocked(pebble.rocker(), footing, {.damping = c}, {.tilt = tilt}, time);
+      see((context.produced(found.angle) - expected.tilt) / tilt, "rocking");
+      see((context.produced(found.rate) - expected.rate) / (tilt * 60), "rate of rocking");
+      // Flat: a spin rolls on the spot, a slide has nothing to stop it. After 20/c it still moves.
+      const double spin = context.uniform(10.0, 60.0), speed = footing == Footing::rolling ? 0.0 : 0.3;
+      const State<double> flat = set_on_cap(pebble, leaning(0.0), {0.0, 0.0, spin}, {speed, 0.0, 0.0});
+      const Drop<double> late = drop(pebble, flat, settings, 20 / c);
+      const Long left = std::exp(-static_cast<Long>(c) * static_cast<Long>(late.time));
+      see(late.status == DropStatus::moving ? 0 : 1, "stopped");
+      see(context.produced(witnessed(pebble, late.state).w.z()) / spin - left, "spin");
+      const Vec3<double> heading = late.state.q_WB * Vec3<double>(1.0, 0.0, 0.0);
+      const Long turned = static_cast<Long>(spin) * (1 - left) / static_cast<Long>(c);
+      see(std::remainder(std::atan2(heading.y(), heading.x()) - turned, 2 * std::numbers::pi_v<Long>) / turned,
+          "turned");
+      see(context.produced(late.state.v_WB.x()) - static_cast<Long>(speed) * left, "slide");
+    }
+  }
+  return worst.measurement();
+}
+
+}  // namespace
+
+std::vector<Claim> drop_rocking_claims() {
+  return {
+      {.id = "DROP-3",
+       .statement = "Rocking has the exact period, rolling and without friction: from 0.1° to 25° on the cap, up to "
+                    "80° where the contact passes over the bevel, and for other stones. Very small rocking of size 33 "
+                    "has 7.6869 and 10.4976 Hz.",
+       .function = "drop",
+       .family = OracleFamily::exact,
+       .oracle = "the quadrature of dθ/θ̇ by the rule of Gauss and Kronrod, in long double",
+       .checks = {{.unit = "relative",
+                   .bound = 1e-8,
+                   .reason = "as asked; a tolerance of 1e-12 rad in a tilt of 0.1° is 6e-10 of it; measured 2026-11-22",
+                   .resolution = 1e-12}},
+       .mutants = {{"drop/contact_motion.hpp", ".slope = T(-(side * stone.sphere_offset))",
+                    ".slope = T(-(T(1000001) / T(1000000) * side * stone.sphere_offset))"},
+                   {"drop/contact_motion.hpp", ".curvature = T(-(over / (radial * radial)))", ".curvature = T(-over)"},
+                   {"drop/contact_motion.hpp", "along * gyration.x() + swept.x()", "along * gyration.x() - swept.x()"},
+                   {"drop/contact_motion.hpp", "along * gyration.z() + swept.z()", "along * gyration.z() - swept.z()"},
+                   {"drop/rolling.hpp", "return radial - (axial < T(0)",
+                    "return T(1000001) / T(1000000) * radial - (axial < T(0)"}},
+       .measure = measure_periods},
+      {.id = "DROP-6",
+       .statement = "Under rolling resistance δ alone each half swing takes the amplitude down by what the equation in "
+                    "the plane says, 2δ/d where it is small; the stone stops in finite time, at |sin θ| <= δ/d, where "
+                    "and when it says.",
+       .function = "drop",
+       .family = OracleFamily::integration,
+       .oracle = "the equation of planar rocking, Fehlberg 7(8) in long double with fixed steps, turn by turn",
+       .checks = {{.unit = "rad; of the time of rest",
+                   .bound = 5e-10,
+                   .reason = "some hundred steps of tolerance 1e-12, and the last stretch under the torque at its "
+                             "beginning; measured "
+                             "2026-11-29",
+                   .resolution = 1e-12}},
+       .mutants = {{"drop/contact_motion.hpp", "const T roll = delta_square / root",
+                    "const T roll = T(1000001) / T(1000000) * delta_square / root"},
+                   {"drop/contact_motion.hpp", "const T xz = W.xz + brake.x()", "const T xz = W.xz"},
+                   {"drop/contact_motion.hpp", "zz = W.zz + brake.z();", "zz = W.zz - brake.z();"},
+                   {"drop/statics.hpp", "const T roll = T(1) / (normal * (body.rolling_resistance + slack))",
+                    "const T roll = T(1) / (T(2) * normal * (body.rolling_resistance + slack))"},
+                   {"drop/integrator.hpp", "T(T(2) * energy / taken)", "T(T(1) * energy / taken)"}},
+       .measure = measure_decay},
+      {.id = "DROP-16",
+       .statement = "The talk's exponential damping takes both momenta down at its rate c: rocking by the equation in "
+                    "the plane, a flat spin and a slide by exp(−ct). After 20/c the stone still moves.",
+       .function = "drop",
+       .family = OracleFamily::integration,
+       .oracle = "the equation of planar rocking, Fehlberg 7(8) in long double with fixed steps; exp(−ct)",
+       .checks = {{.unit = "relative",
+                   .bound = 1e-9,
+                   .reason = "some hundred steps of tolerance 1e-12 in tilts from 0.01 rad; measured 2026-11-22",
+                   .resolution = 1e-12}},
+       .mutants = {{"drop/kinetics.hpp", "- body.damping * k.L.y()", "+ body.damping * k.L.y()"},
+                   {"drop/kinetics.hpp", "- body.damping * k.L.z()",
+                    "- T(1000001) / T(1000000) * body.damping * k.L.z()"},
+                   {"drop/gliding.hpp", "slip.x - body_.damping * s_x", "slip.x - T(2) * body_.damping * s_x"},
+                   {"drop/contact_motion.hpp", "now.spin_rate = (mobility.transverse + mobility.axial) * momentum",
+                    "now.spin_rate = mobility.axial * momentum"}},
+       .measure = measure_damping},
+  };
+}
+
+}  // namespace goishi::verify

@@ -1,0 +1,246 @@
+/// DROP: whole drops. Every link of one against a witness; where it ends, by tolerance; the random drops of the stress
+/// test.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "verify/claims/claims.hpp"
+#include "verify/samples/touching.hpp"
+#include "verify/stress/stress.hpp"
+#include "verify/suite/quantile.hpp"
+
+namespace goishi::verify {
+
+namespace {
+
+/// A flight and the impact at its end, in long double, by the definitions: a parabola; L constant, the axis turned about
+/// it by |L| t/I_t; the impulse's change of both momenta; v_n⁺ = −e v_n and the cone.
+void see_flight(const Context& context, const Subject& subject, const Event<double>& from, const Event<double>& to,
+                Worst& worst) {
+  const Long t = static_cast<Long>(to.time) - static_cast<Long>(from.time);
+  const Long3 g = subject.settings.gravity.cast<Long>(), v = from.after.v_WB.cast<Long>();
+  const Long3 p = from.after.p_WB.cast<Long>() + t * v + t * t / 2 * g;
+  const Long3 L = from.after.L_W.cast<Long>() / static_cast<Long>(subject.body.mass);
+  const Long3 u = from.after.q_WB.cast<Long>() * Long3(0, 0, 1);
+  const Long size = L.norm(), angle = size / subject.witness.transverse * t;
+  const Long3 k = size > 0 ? Long3(L / size) : Long3(0, 0, 1);
+  const Long3 turned = std::cos(angle) * u + std::sin(angle) * k.cross(u) + (1 - std::cos(angle)) * k.dot(u) * k;
+  const auto see = [&](Long error, const char* what) {
+    worst.see(as_double(error), [&] {
+      return fmt::format("{}: {}, at {} s, {}", what, describe(subject.specimen), to.time, to_string(to.kind));
+    });
+  };
+  const Long R = static_cast<Long>(outer_width(subject.specimen.stone)) / 2;
+  const Long3 there = static_cast<Long>(context.produced(1.0)) * to.before.p_WB.cast<Long>();
+  see((there - p).norm() / R, "flight: place");
+  see((to.before.q_WB.cast<Long>() * Long3(0, 0, 1) - turned).norm(), "flight: axis");
+  see((to.before.L_W - from.after.L_W).cast<Long>().norm() /
+          (static_cast<Long>(subject.body.mass) * size + std::numeric_limits<Long>::min()),
+      "flight: angular momentum");
+}
+
+void see_impact(const Subject& subject, const Event<double>& event, Worst& worst) {
+  const auto see = [&](Long error, const char* what) {
+    worst.see(as_double(error), [&] {
+      return fmt::format("{}: {}, at {} s, {}", what, describe(subject.specimen), event.time, to_string(event.kind));
+    });
+  };
+  const Long m = subject.body.mass;
+  const Long3 j = event.impulse_W.cast<Long>(), n = event.normal_W.cast<Long>();
+  const Long3 r = event.contact_W.cast<Long>() - event.after.p_WB.cast<Long>();
+  const Long speed = event.before.v_WB.cast<Long>().norm() + 1e-3L;
+  see((event.after.v_WB.cast<Long>() - event.before.v_WB.cast<Long>() - j / m).norm() / speed, "impact: momentum");
+  see((event.after.L_W.cast<Long>() - event.before.L_W.cast<Long>() - r.cross(j)).norm() / (m * r.norm() * speed),
+      "impact: angular momentum");
+  const auto velocity = [&](const State<double>& state) {
+    const Long3 u = state.q_WB.cast<Long>() * Long3(0, 0, 1), L = state.L_W.cast<Long>() / m;
+    const Long along = L.dot(u);
+    const Long3 w = (L - along * u) / subject.witness.transverse + along / subject.witness.axial * u;
+    return Long3(state.v_WB.cast<Long>() + w.cross(r));
+  };
+  const Long3 before = velocity(event.before), after = velocity(event.after);
+  const Long e = event.kind == EventKind::contact ? 0.0L : static_cast<Long>(subject.settings.restitution);
+  see(std::fabs(after.dot(n) + e * before.dot(n)) / speed, "impact: restitution");
+  const Long normal = j.dot(n);
+  const Long outside = (j - normal * n).norm() - static_cast<Long>(subject.settings.friction) * normal;
+  see(std::max<Long>(0, outside) / (m * speed), "impact: cone");
+}
+
+Measurement measure_links(Context& context) {
+  Worst worst;
+  Located located;
+  int flights = 0, impacts = 0;
+  for (int i = 0; i < context.samples(4, 12); ++i) {
+    Subject subject = draw_subject(context, 5 * i);  // dry
+    subject.settings.restitution = context.uniform(0.1, 0.8);
+    const Drop<double> drop =
+        goishi::drop(subject.specimen.stone, subject.body, draw_fall(context, subject.body), subject.settings);
+    for (std::size_t k = 0; k < drop.events.size(); ++k) {
+      const Event<double>& event = drop.events[k];
+      if (event.kind != EventKind::impact && event.kind != EventKind::contact) {
+        continue;
+      }
+      see_impact(subject, event, worst);
+      ++impacts;
+      const EventKind before = drop.events[k - 1].kind;
+      if (before == EventKind::start || before == EventKind::impact) {
+        see_flight(context, subject, drop.events[k - 1], event, worst);
+        ++flights;
+      }
+    }
+    see_status(subject, drop, worst);
+    see_stretches(context, subject, drop, worst, located);
+  }
+  Measurement result = worst.measurement();
+  result.figures = {{"flights, impacts", fmt::format("{}, {}", flights, impacts)},
+                    {"contact phases", describe(located)}};
+  return result;
+}
+
+// --- where it ends
+
+/// How much five elastic, frictionless bounces magnify a turn of the start by 1e-9 rad: the angle between the axes then.
+double magnified_by_five_bounces(const Pebble& pebble, const State<double>& start) {
+  DropSettings<double> settings;
+  settings.restitution = 1.0;
+  settings.friction = 0.0;
+  settings.maximum_impacts = 5;
+  const Drop<double> five = drop(pebble.stone, pebble.body, start, settings);
+  settings.maximum_impacts = std::numeric_limits<int>::max();
+  settings.horizon = five.time + 1e-6;
+  const double turn = 1e-9;
+  State<double> turned = start;
+  turned.q_WB = (Quat<double>(1.0, turn / 2.0, 0.0, 0.0) * start.q_WB).normalized();
+  const auto axis = [&](const State<double>& from) {
+    return Vec3<double>(drop(pebble.stone, pebble.body, from, settings).state.q_WB * Vec3<double>::UnitZ());
+  };
+  return (axis(turned) - axis(start)).norm() / turn;
+}
+
+Measurement measure_tolerance(Context& context) {
+  const Pebble pebble = size_33(0.001);
+  const std::array<double, 4> tolerances = {1e-5, 1e-6, 1e-7, 1e-9};
+  std::array<std::vector<double>, 4> off;
+  std::vector<double> magnified, bounced;
+  Worst worst;
+  for (int i = 0; i < context.samples(40, 80); ++i) {
+    const State<double> start = draw_fall(context, pebble.body);
+    const Drop<double> best = dropped(pebble, start, 1e-11);
+    for (std::size_t k = 0; k < tolerances.size(); ++k) {
+      const Drop<double> other = dropped(pebble, start, tolerances[k]);
+      const Vec3<double> p(context.produced(other.state.p_WB.x()), other.state.p_WB.y(), other.state.p_WB.z());
+      off[k].push_back(other.status == DropStatus::rest ? (p - best.state.p_WB).norm() : 1.0);
+    }
+    bounced.push_back(magnified_by_five_bounces(pebble, start));
+    State<double> moved = start;
+    moved.L_W *= 1.0 + 1e-9;
+    magnified.push_back((dropped(pebble, moved, 1e-11).state.p_WB - best.state.p_WB).norm() / 1e-9 / 0.05);
+  }
+  const double typical = quantile(off[3], 0.9);
+  worst.see(typical, [&] { return std::string("nine in ten drops at 1e-9"); });
+  Measurement result = worst.measurement();
+  Series median{"median", {}}, most{"nine in ten", {}};
+  for (std::size_t k = 0; k < tolerances.size(); ++k) {
+    median.points.emplace_back(tolerances[k], quantile(off[k], 0.5));
+    most.points.emplace_back(tolerances[k], quantile(off[k], 0.9));
+  }
+  result.figures = {
+      {"median at 1e-9", fmt::format("{:.2g} m", quantile(off[3], 0.5))},
+      {"median and nine in ten at 1e-6",
+       fmt::format("{:.2g} m, {:.2g} m", quantile(off[1], 0.5), quantile(off[1], 0.9))},
+      {"how much five elastic bounces magnify an error of the attitude: median, quartiles",
+       fmt::format("{:.2g}, {:.2g}, {:.2g}", quantile(bounced, 0.5), quantile(bounced, 0.25), quantile(bounced, 0.75))},
+      {"how much a drop magnifies a relative error of its spin, in units of 5 cm: median, nine in ten",
+       fmt::format("{:.2g}, {:.2g}", quantile(magnified, 0.5), quantile(magnified, 0.9))}};
+  result.plots = {{.title = "Where a stone dropped from 5 cm comes to rest, against a run at 1e-11",
+                   .x_label = "tolerance",
+                   .y_label = "distance [m]",
+                   .log_x = true,
+                   .log_y = true,
+                   .series = {median, most}}};
+  return result;
+}
+
+// --- random drops
+
+/// Drops that were once given up, gained energy or took minutes: slip and turning that begin at one instant, jams by
+/// resistance, contacts that would pull, turning at the limit of resistance, spins of many turns.
+struct Once {
+  std::uint64_t seed, index;
+};
+constexpr std::array once_wrong = {Once{1, 20952}, Once{1, 24539}, Once{1, 42875}, Once{1, 45070}, Once{1, 50175},
+                                   Once{1, 56041}, Once{1, 58704}, Once{1, 59732}, Once{1, 60439}, Once{1, 62094},
+                                   Once{1, 80198}, Once{1, 82062}, Once{1, 93594}, Once{1, 96982}, Once{2, 6969},
+                                   Once{2, 29479}, Once{2, 95002}};
+
+Measurement measure_stress(Context& context) {
+  Checks checks;
+  const auto see = [&](const char* check, std::uint64_t seed, std::uint64_t index, const stress::Verdict& verdict,
+                       bool given_up) {
+    checks[check].see(static_cast<double>(verdict.faults.size()) + (given_up ? 1.0 : 0.0), [&] {
+      return fmt::format("{} (goishi-verify stress --seed {} --case {})",
+                         verdict.faults.empty() ? std::string(to_string(verdict.status)) : verdict.faults.front(), seed,
+                         index);
+    });
+  };
+  const std::uint64_t seed = context.random()();
+  for (int i = 0; i < context.samples(150, 300); ++i) {
+    const auto index = static_cast<std::uint64_t>(i);
+    see("random", seed, index, stress::judge_index(seed, index), false);
+  }
+  // Beyond the physical range too, these end.
+  for (const Once& drop : once_wrong) {
+    const stress::Verdict verdict = stress::judge_index(drop.seed, drop.index);
+    see("once wrong", drop.seed, drop.index, verdict,
+        verdict.status == DropStatus::too_many_steps || verdict.status == DropStatus::too_many_events ||
+            verdict.status == DropStatus::not_converged);
+  }
+  return checks.measurement();
+}
+
+}  // namespace
+
+std::vector<Claim> drop_whole_claims() {
+  return {
+      {.id = "DROP-18",
+       .statement = "Every link of a drop from 5 cm to rest is right: each flight, each impact, each contact phase",
+       .function = "drop",
+       .family = OracleFamily::integration,
+       .oracle =
+           "parabola and Rodrigues' rotation, impulse and momentum, Lagrange's equations by Odeint; in long double",
+       .checks = {{.unit = "of half the width, rad, of speed and momentum",
+                   .bound = 4e-10,
+                   .reason = "tolerance 1e-12 of the contact phase, magnified by what follows in it",
+                   .resolution = 5e-12}},
+       .mutants = {{"drop/flight_phase.hpp", "push(contact, material_.restitution, EventKind::impact)",
+                    "push(contact, T(0), EventKind::impact)"},
+                   {"drop/contact_motion.hpp", "T(-(over / (radial * radial)))", "T(over / (radial * radial))"}},
+       .measure = measure_links},
+      {.id = "DROP-19",
+       .statement = "Nine in ten drops of size 33 from 5 cm come to rest within 1e-7 m of a run at tolerance 1e-11",
+       .function = "drop",
+       .family = OracleFamily::relation,
+       .oracle = "the same drop at tolerance 1e-11",
+       .checks = {{.unit = "m", .bound = 1e-7, .reason = "the bar, which asks it of the median", .resolution = 2e-9}},
+       .mutants = {{"drop/integrator.hpp", "const T small = at_least(T(1e-12),", "const T small = at_least(T(1e-4),"}},
+       .measure = measure_tolerance},
+      {.id = "DROP-20",
+       .statement =
+           "Random drops of any stone, start, law and material: no NaN, no tunnelling, no energy from nothing, and "
+           "a status that is true",
+       .function = "drop",
+       .family = OracleFamily::invariant,
+       .oracle = "the stress test's judge: gaps along flights and at events, energy at events, rest that lasts",
+       .checks =
+           {{.name = "random", .unit = "faults", .bound = 0.0, .reason = "there must be none", .counts = true},
+            {.name = "once wrong", .unit = "faults", .bound = 0.0, .reason = "there must be none", .counts = true}},
+       .mutants = {{"drop/next_impact.hpp", "if (hit.status != ImpactStatus::overlapping && T(0) < until) {",
+                    "if (false) {"}},
+       .measure = measure_stress},
+  };
+}
+
+}  // namespace goishi::verify

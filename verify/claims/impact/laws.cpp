@@ -1,0 +1,324 @@
+/// IMPACT: restitution, momentum, energy and friction of every law.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "verify/claims/claims.hpp"
+#include "verify/samples/impact.hpp"
+
+namespace goishi::verify {
+
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+double as_double(long double value) {
+  return static_cast<double>(value);
+}
+
+/// Calls see(encounter, meeting, law) for `count` encounters that approach, Stronge's law at every eighth.
+template <class F>
+void for_each_impact(Context& context, int count, F&& see) {
+  for (int i = 0; i < count; ++i) {
+    const Encounter met = draw_encounter(context, i);
+    const Meeting meeting(met);
+    if (!meeting.approaches()) {
+      continue;
+    }
+    for (const ImpactLaw law : all_laws) {
+      if (law != ImpactLaw::stronge || (i / 16) % 8 == 0) {
+        see(met, meeting, law);
+      }
+    }
+  }
+}
+
+// --- IMPACT-1
+
+Measurement measure_restitution(Context& context) {
+  Worst worst;
+  for_each_impact(context, context.samples(20000, 200000), [&](Encounter met, const Meeting& meeting, ImpactLaw law) {
+    if (law != ImpactLaw::chatterjee_ruina) {
+      met.material.friction = 0.0;
+    }
+    const TwoBodyImpact<double> end = strike(met, law);
+    const BodyVelocity<double> first{context.produced(end.first.v_WB), end.first.L_W};
+    const long double after = meeting.velocity(first, end.second).dot(meeting.n);
+    const long double expected = -static_cast<long double>(met.material.restitution) * meeting.before.dot(meeting.n);
+    worst.see(as_double(std::fabs(after - expected)), meeting.scale, [&] { return describe(met, law); });
+  });
+  return worst.measurement();
+}
+
+// --- IMPACT-2
+
+Measurement measure_momentum(Context& context) {
+  Worst worst;
+  for (int i = 0; i < context.samples(20000, 200000); ++i) {
+    const Encounter met = draw_encounter(context, 2 * i + 1);
+    const auto momenta = [&](const auto& one, const auto& other) {
+      const auto of = [&](const Striker& striker, const auto& state) {
+        const Long3 p = static_cast<long double>(striker.body.mass) * state.v_WB.template cast<long double>();
+        const Long3 arm = (striker.state.p_WB - met.p_WC).cast<long double>();
+        return std::pair<Long3, Long3>(p, arm.cross(p) + state.L_W.template cast<long double>());
+      };
+      const auto [p1, L1] = of(met.first, one);
+      const auto [p2, L2] = of(met.second, other);
+      return std::pair<Long3, Long3>(p1 + p2, L1 + L2);
+    };
+    const double width = std::max(outer_width(met.first.specimen.stone), outer_width(met.second.specimen.stone));
+    for (const ImpactLaw law : all_laws) {
+      if (law == ImpactLaw::stronge && i % 8 != 0) {
+        continue;
+      }
+      const TwoBodyImpact<double> end = strike(met, law);
+      const Vec3<double> p = context.produced(end.impulse.impulse_W);
+      BodyVelocity<double> first = end.first;
+      first.v_WB = context.produced(first.v_WB);
+      const auto [p_before, L_before] = momenta(met.first.state, met.second.state);
+      const auto [p_after, L_after] = momenta(first, end.second);
+      const double size = p.norm() + met.first.body.mass * met.first.state.v_WB.norm() +
+                          met.second.body.mass * met.second.state.v_WB.norm();
+      const double spin = size * width + met.first.state.L_W.norm() + met.second.state.L_W.norm();
+      worst.see(as_double((p_after - p_before).norm()), size, [&] { return "momentum: " + describe(met, law); });
+      worst.see(as_double((L_after - L_before).norm()), spin,
+                [&] { return "angular momentum about the contact: " + describe(met, law); });
+      // The first body got the impulse that is told.
+      const Long3 got =
+          static_cast<long double>(met.first.body.mass) * (first.v_WB - met.first.state.v_WB).cast<long double>();
+      worst.see(as_double((got - p.cast<long double>()).norm()), size,
+                [&] { return "the impulse that is told: " + describe(met, law); });
+      // Exchanged bodies.
+      const TwoBodyImpact<double> other =
+          resolve(law, met.material, met.p_WC, Vec3<double>(-met.n_W), met.second.state, met.first.state);
+      worst.see((other.impulse.impulse_W + p).norm(), size, [&] { return "exchanged: " + describe(met, law); });
+    }
+  }
+  return worst.measurement();
+}
+
+// --- IMPACT-3
+
+Measurement measure_energy(Context& context) {
+  Worst worst;
+  for_each_impact(context, context.samples(20000, 200000), [&](Encounter met, const Meeting& meeting, ImpactLaw law) {
+    const auto see = [&](double error, const char* name) {
+      worst.see(error, as_double(meeting.energy), [&] { return std::string(name) + ": " + describe(met, law); });
+    };
+    const TwoBodyImpact<double> end = strike(met, law);
+    const double told = context.produced(end.impulse.energy_change);
+    const long double change = meeting.energy_of(end.first, end.second) - meeting.energy;
+    see(std::fabs(told - as_double(change)), "as told");
+    met.material.friction = 0.0;
+    const TwoBodyImpact<double> smooth = strike(met, law);
+    const long double e = static_cast<long double>(met.material.restitution), vn = meeting.before.dot(meeting.n);
+    const long double K = meeting.n.dot(Long3(meeting.W * meeting.n));
+    const long double lost = -(1 - e * e) * vn * vn / (2 * K);
+    see(std::fabs(as_double(lost) - context.produced(smooth.impulse.energy_change)), "without friction");
+  });
+  return worst.measurement();
+}
+
+// --- IMPACT-4
+
+Measurement measure_no_gain(Context& context) {
+  Measurement result;
+  Measured& seen = result.checks.emplace_back(Measured{.error = 0.0});
+  double least = 0.0;
+  int unsettled = 0, rounds = 0, steps = 0;
+  for_each_impact(
+      context, context.samples(30000, 1000000), [&](const Encounter& met, const Meeting& meeting, ImpactLaw law) {
+        const TwoBodyImpact<double> end = strike(met, law);
+        BodyVelocity<double> first = end.first;
+        first.v_WB = context.produced(first.v_WB);
+        const double gain = as_double((meeting.energy_of(first, end.second) - meeting.energy) / meeting.energy);
+        ++seen.cases;
+        least = std::min(least, gain);
+        if (!(gain <= seen.error)) {
+          seen.error = gain;
+          seen.worst_case = describe(met, law);
+        }
+        if (end.impulse.outcome == ImpactOutcome::not_converged) {
+          ++unsettled;
+          if (law != ImpactLaw::published) {
+            seen.error = std::numeric_limits<double>::quiet_NaN();
+            seen.worst_case = "not converged: " + describe(met, law);
+          }
+        }
+        (law == ImpactLaw::published ? rounds : steps) =
+            std::max(law == ImpactLaw::published ? rounds : steps, end.impulse.rounds);
+      });
+  result.figures = {{"the greatest loss", fmt::format("{:.1f} % of the energy", -100.0 * least)},
+                    {"the published law gave up after 1000 rounds", fmt::format("{} times", unsettled)},
+                    {"steps of Stronge's law", fmt::format("{} at most", steps)},
+                    {"rounds of the published law", fmt::format("{} at most", rounds)}};
+  return result;
+}
+
+// --- IMPACT-5
+
+Measurement measure_friction(Context& context) {
+  Worst worst;
+  for_each_impact(
+      context, context.samples(20000, 200000), [&](const Encounter& met, const Meeting& meeting, ImpactLaw law) {
+        const TwoBodyImpact<double> end = strike(met, law);
+        if (end.impulse.outcome == ImpactOutcome::not_converged) {
+          return;
+        }
+        const double mu = met.material.friction;
+        const long double e = static_cast<long double>(met.material.restitution);
+        const auto see = [&](double error, double scale, const char* name) {
+          const double share = law == ImpactLaw::stronge ? 10.0 : 1.0;  // the process is integrated
+          worst.see(error, scale * share, [&] { return std::string(name) + ": " + describe(met, law); });
+        };
+        const Long3 p = context.produced(end.impulse.impulse_W).cast<long double>();
+        const double normal = as_double(p.dot(meeting.n));
+        // Stronge's impulse is made of the change of velocity.
+        const double unit = law == ImpactLaw::stronge ? meeting.scale / as_double(meeting.W.trace()) : 0.0;
+        const double size = as_double(p.norm()) + unit;
+        const double tangential = as_double(Long3(p - p.dot(meeting.n) * meeting.n).norm());
+        // |p_t| <= μ p_n, over 1 + μ; and the board does not pull.
+        const double against = 1.0 / (1.0 + 1.0 / mu), along = 1.0 / (1.0 + mu);
+        see(std::max(0.0, along * tangential - against * normal), size, "outside the cone");
+        see(std::max(0.0, -normal), size, "pulled");
+        const Long3 after = meeting.before + meeting.W * p;
+        see(std::max(0.0, as_double(-after.dot(meeting.n))), meeting.scale / 1e-6, "still approaches");
+        const Long3 slip = after - after.dot(meeting.n) * meeting.n;
+        const long double plastic = -meeting.before.dot(meeting.n) / meeting.n.dot(Long3(meeting.W * meeting.n));
+        const Long3 left = meeting.before + plastic * Long3(meeting.W * meeting.n);  // by the plastic normal impulse
+        if (law == ImpactLaw::chatterjee_ruina) {
+          see(std::max(0.0, as_double(left.dot(p))), meeting.scale * size, "with the slip that it is against");
+          if (end.impulse.outcome == ImpactOutcome::stuck) {
+            see(as_double((after - e * plastic * Long3(meeting.W * meeting.n)).norm()), meeting.scale,
+                "stuck, but slips");
+          }
+        } else if (end.impulse.outcome == ImpactOutcome::stuck && law == ImpactLaw::stronge) {
+          see(as_double(slip.norm()), meeting.scale, "stuck, but slips");
+        }
+        const bool once =
+            law == ImpactLaw::chatterjee_ruina || (law == ImpactLaw::published && end.impulse.rounds == 1);
+        if (end.impulse.outcome == ImpactOutcome::slid && once) {
+          see(std::fabs(along * tangential - against * normal), size, "slid, but not on the cone");
+        }
+        if (law == ImpactLaw::published && end.impulse.rounds == 1) {
+          const Long3 met_with = meeting.before + (1 + e) * plastic * Long3(meeting.W * meeting.n);
+          const Long3 across = met_with - met_with.dot(meeting.n) * meeting.n;
+          const Long3 pt = p - p.dot(meeting.n) * meeting.n;
+          see(as_double(pt.dot(across) + pt.norm() * across.norm()), meeting.scale * size, "not against the slip");
+          if (end.impulse.outcome == ImpactOutcome::stuck &&
+              across.norm() > 1e-6L * static_cast<long double>(meeting.scale)) {
+            see(as_double(std::fabs(after.dot(across)) / across.norm()), meeting.scale,
+                "stuck, but slips on as before");
+          }
+        }
+      });
+  return worst.measurement();
+}
+
+}  // namespace
+
+std::vector<Claim> impact_claims() {
+  return {
+      {.id = "IMPACT-1",
+       .statement = "A contact that approaches leaves with v_n⁺ = −e v_n⁻: under every law without friction, under the "
+                    "default law with any friction; stones on the board and in pairs, thin ones and balls.",
+       .function = "resolve (impact)",
+       .family = OracleFamily::exact,
+       .oracle = "velocities of the contact before and after, from full tensors in long double",
+       .checks = {{.unit = "of the contact's velocity, centre and spin added up",
+                   .bound = 1e-14,
+                   .reason = "some ten roundings of a product of condition up to 7, the greatest eigenvalue of m W of "
+                             "a lens; measured "
+                             "2026-11-22",
+                   .resolution = epsilon}},
+       .mutants = {{"impact/impulses.hpp", "-((T(1) + restitution) * approach)", "-((T(1) - restitution) * approach)"},
+                   {"impact/impulses.hpp", "(T(1) + restitution - kappa) * plastic", "(T(1) - kappa) * plastic"},
+                   {"impact/contact_matrix.hpp", "T(cx * c.y() - t * (r_W.x() * r_W.y()))",
+                    "T(cx * c.y() + t * (r_W.x() * r_W.y()))"},
+                   {"impact/contact_matrix.hpp", "b = W.xz * W.yz - W.xy * W.zz", "b = W.xz * W.yz + W.xy * W.zz"},
+                   {"impact/body.hpp", "formula::plus(turned, mobility.linear, impulse_W)",
+                    "formula::plus(turned, T(mobility.linear * T(1000001) / T(1000000)), impulse_W)"}},
+       .measure = measure_restitution},
+      {.id = "IMPACT-2",
+       .statement = "Two bodies keep their momentum and their angular momentum about the contact; the first gets the "
+                    "impulse that is told; exchanging the bodies exchanges the result.",
+       .function = "resolve (two bodies)",
+       .family = OracleFamily::invariant,
+       .oracle = "momenta of both in long double; the same impact the other way round",
+       .checks = {{.unit = "of the momenta and the impulse together",
+                   .bound = 2e-15,
+                   .reason = "each momentum is rounded a few times; measured 2026-11-22",
+                   .resolution = epsilon}},
+       .mutants = {{"impact/body.hpp", ".L_W = formula::plus(body.L_W, formula::cross(r_W, impulse_W))",
+                    ".L_W = formula::plus(body.L_W, formula::cross(impulse_W, r_W))"},
+                   {"impact/laws.hpp", "formula::scaled(T(-1), result.impulse.impulse_W)", "result.impulse.impulse_W"},
+                   {"impact/laws.hpp", "formula::pushed(second, r2,", "formula::pushed(second, r1,"},
+                   {"impact/body.hpp", ".v_WB = formula::plus(body.v_WB, body.mobility.linear, impulse_W)",
+                    ".v_WB = formula::plus(body.v_WB, T(body.mobility.linear / T(2)), impulse_W)"}},
+       .measure = measure_momentum},
+      {.id = "IMPACT-3",
+       .statement = "The energy changes as told; without friction by −(1 − e²) v_n²/(2K).",
+       .function = "resolve (impact)",
+       .family = OracleFamily::exact,
+       .oracle = "energies of the bodies before and after, and K from full tensors, in long double",
+       .checks = {{.unit = "of the energy before",
+                   .bound = 2e-14,
+                   .reason = "twice IMPACT-1's bound, since energy is a square; measured 2026-11-22",
+                   .resolution = epsilon}},
+       .mutants = {{"impact/impulses.hpp", "formula::plus(before, after)) / T(2)", "formula::plus(before, after))"},
+                   {"impact/impulses.hpp", "formula::plus(before, after)", "formula::minus(before, after)"},
+                   {"impact/body.hpp", "(moments.transverse - moments.axial)", "(moments.axial - moments.transverse)"},
+                   {"impact/body.hpp", "const T along = mobility.axial * formula::dot(u_W, L_W)",
+                    "const T along = mobility.axial * formula::dot(u_W, L_W) * T(1000001) / T(1000000)"}},
+       .measure = measure_energy},
+      {.id = "IMPACT-4",
+       .statement = "No law gains energy in a million random impacts: any e from 0 to 1, any friction from none to "
+                    "infinite, thin stones and balls, on the board and in pairs. Only the published law ever gives up.",
+       .function = "resolve (impact)",
+       .family = OracleFamily::invariant,
+       .oracle = "energies of the bodies before and after, from full tensors in long double",
+       .checks = {{.unit = "of the energy before",
+                   .bound = 2e-14,
+                   .reason = "round-off, as in IMPACT-3: with e = 1 and no friction the energy stays",
+                   .resolution = epsilon}},
+       .mutants = {{"impact/impulses.hpp", "-(slip / tangential_mobility)", "-(T(3) * slip / tangential_mobility)"},
+                   {"impact/chatterjee_ruina.hpp", "sticks ? T(1) :", "sticks ? T(3) :"},
+                   {"impact/stronge.hpp", "given_back_(scalar::sq(c.restitution))",
+                    "given_back_(T(2) * scalar::sq(c.restitution))"},
+                   {"impact/published.hpp", "formula::plus(along_n, slides ? limit : stopping, t)",
+                    "formula::plus(along_n, slides ? limit : T(T(3) * stopping), t)"}},
+       .measure = measure_no_gain},
+      {.id = "IMPACT-5",
+       .statement =
+           "Friction removes the slip or lies on the cone, and is against it: the impulse is never outside the "
+           "cone, the board never pulls, no contact leaves approaching. Stronge's law: no slip is left; the "
+           "published law: none along the slip that friction met; the default law: only e W p_I, and friction "
+           "is against the slip that the plastic normal impulse leaves.",
+       .function = "resolve (impact)",
+       .family = OracleFamily::invariant,
+       .oracle = "Coulomb's law on the impulse and the velocities, the contact matrix from full tensors in long double",
+       .checks =
+           {{.unit = "of impulse or velocity",
+             .bound = 2e-14,
+             .reason =
+                 "IMPACT-1's bound, and the condition of W once more; errors of Stronge's law, which is integrated, "
+                 "count a "
+                 "tenth; the published law may leave approaching with 1e-9 of its approach: counted in units of 1e-6. "
+                 "Measured 2026-11-22",
+             .resolution = epsilon}},
+       .mutants = {{"impact/published.hpp", "const T limit = -(c.friction * j)",
+                    "const T limit = -(T(2) * c.friction * j)"},
+                   {"impact/published.hpp", "const bool slides = stopping < limit",
+                    "const bool slides = limit < stopping"},
+                   {"impact/published.hpp", "if (tolerated <= formula::dot(v, c.n))",
+                    "if (T(1000) * tolerated <= formula::dot(v, c.n))"},
+                   {"impact/impulses.hpp", "return normal / (needed - gained)", "return normal / (needed + gained)"},
+                   {"impact/chatterjee_ruina.hpp", "const bool sticks = !(normal < needed - gained)",
+                    "const bool sticks = !(normal < needed + gained)"}},
+       .measure = measure_friction},
+  };
+}
+
+}  // namespace goishi::verify

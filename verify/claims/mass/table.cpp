@@ -1,0 +1,172 @@
+/// TABLE: every entry of the generated inertia table is the double nearest to the exact value, certified by an
+/// enclosure.
+
+#include <fmt/format.h>
+
+#include <array>
+#include <goishi/mass/inertia.hpp>
+#include <goishi/mass/inertia_table.hpp>
+#include <tuple>
+
+#include "verify/certify/printed.hpp"
+#include "verify/certify/witness.hpp"
+#include "verify/claims/claims.hpp"
+#include "verify/oracles/numbers/ball.hpp"
+
+namespace goishi::verify {
+
+namespace {
+
+using certify::StoneWitness;
+
+/// The row's quantities in the order of a `StoneWitness`.
+std::array<double, std::tuple_size_v<StoneWitness>> shipped(const InertiaRow& row) {
+  return {row.bevel,   row.width, row.height, row.outer_width, row.volume,         row.surface_area,
+          row.density, row.mass,  row.axial,  row.transverse,  row.axial_per_mass, row.transverse_per_mass};
+}
+
+/// By the closed forms in exact arithmetic: whole micrometres over a million, whole kilograms per cubic metre.
+StoneWitness closed_forms(const CatalogueStone& entry, int bevel) {
+  const Ball w = metres<Ball>(entry.width), h = metres<Ball>(entry.height), b = metres<Ball>(bevel);
+  const Ball density(entry.density);
+  const Stone<Ball> stone =
+      bevel > 0 ? formula::bevelled_stone(w, h, b, formula::sphere_offset(w, h)) : formula::sharp_stone(w, h);
+  // One closed form serves both: at b = 0 the band vanishes.
+  const auto terms = formula::bevel_terms(stone, scalar::atan2(stone.joint_sine, stone.joint_cosine));
+  const Ball volume = formula::bevelled_volume(stone, terms);
+  const Moments<Ball> moments = formula::bevelled_moments(stone, terms);
+  return {{{"bevel", b},
+           {"width", w},
+           {"height", h},
+           {"outer_width", outer_width(stone)},
+           {"volume", volume},
+           {"surface_area", formula::bevelled_surface_area(stone, terms)},
+           {"density", density},
+           {"mass", density * volume},
+           {"axial", density * moments.axial},
+           {"transverse", density * moments.transverse},
+           {"axial_per_mass", moments.axial / volume},
+           {"transverse_per_mass", moments.transverse / volume}}};
+}
+
+template <class See>
+void for_each_row(See&& see) {
+  std::size_t index = 0;
+  for (const catalogue::Size& size : catalogue::sizes) {
+    for (const StoneColor color : {StoneColor::white, StoneColor::black}) {
+      for (const int bevel : {0, catalogue::table_bevel}) {
+        see(index++, catalogue_stone(size.number, color), bevel);
+      }
+    }
+  }
+}
+
+auto nearest_to(StoneWitness (*enclosures)(const CatalogueStone&, int)) {
+  return [enclosures](Context& context) {
+    Worst worst;
+    for_each_row([&](std::size_t index, const CatalogueStone& entry, int bevel) {
+      const auto values = shipped(inertia_table.at(index));
+      const StoneWitness exact = enclosures(entry, bevel);
+      for (std::size_t i = 0; i < exact.size(); ++i) {
+        worst.see(certify::is_the_nearest(context.produced(values[i]), exact[i].exact) ? 0.0 : 1.0, [&] {
+          return fmt::format("{} of size {} {}, b = {} µm: {:a}", exact[i].key, entry.number, to_string(entry.color),
+                             bevel, values[i]);
+        });
+      }
+    });
+    return worst.measurement();
+  };
+}
+
+Measurement measure_rows(Context& context) {
+  Worst worst;
+  std::size_t rows = 0;
+  for_each_row([&](std::size_t index, const CatalogueStone& entry, int bevel) {
+    ++rows;
+    const bool same = index < inertia_table.size() && inertia_table[index].number == entry.number &&
+                      inertia_table[index].color == entry.color && inertia_table[index].bevel == metres<double>(bevel);
+    worst.see(same ? 0.0 : 1.0,
+              [&] { return fmt::format("row {}: size {} {}", index, entry.number, to_string(entry.color)); });
+  });
+  worst.see(std::fabs(context.produced(static_cast<double>(inertia_table.size())) - static_cast<double>(rows)),
+            [] { return "number of rows"; });
+  return worst.measurement();
+}
+
+/// What the production code computes at run time, against the certified row.
+Measurement measure_production(Context& context) {
+  Worst worst;
+  for_each_row([&](std::size_t index, const CatalogueStone& entry, int bevel) {
+    const InertiaRow& row = inertia_table.at(index);
+    const Stone<double> stone = make_stone(entry, metres<double>(bevel));
+    const MassProperties<double> body = mass_properties(stone, Density{static_cast<double>(entry.density)});
+    const std::array<std::pair<double, double>, 7> pairs = {
+        {{outer_width(stone), row.outer_width},
+         {body.volume, row.volume},
+         {body.surface_area, row.surface_area},
+         {body.moments.axial, row.axial},
+         {body.moments.transverse, row.transverse},
+         {body.moments_per_mass.axial, row.axial_per_mass},
+         {body.moments_per_mass.transverse, row.transverse_per_mass}}};
+    for (const auto& [computed, certified] : pairs) {
+      worst.see(std::fabs(context.produced(computed) / certified - 1.0),
+                [&] { return fmt::format("size {} {}, b = {} µm", entry.number, to_string(entry.color), bevel); });
+    }
+  });
+  return worst.measurement();
+}
+
+}  // namespace
+
+std::vector<Claim> table_claims() {
+  const std::string arb = "Arb, 256 bits, from the catalogue's decimal dimensions as exact fractions";
+  return {
+      {.id = "TABLE-1",
+       .statement = "Every entry of the inertia table is the double nearest to the exact value; the enclosure leaves "
+                    "no other possible.",
+       .function = "inertia_table",
+       .family = OracleFamily::rounding,
+       .oracle = arb,
+       .checks = {{.unit = "entries not proved",
+                   .bound = 0.0,
+                   .reason = "an entry is the nearest double or it is not"}},
+       .mutants = {{"mass/inertia_table.hpp", "0.0051815133771277826", "0.005181513377127782"}},
+       .measure = nearest_to(closed_forms)},
+      {.id = "TABLE-2",
+       .statement = "The table has a row for each of the 14 sizes, white before black, sharp and with b = 1 mm.",
+       .function = "inertia_table",
+       .family = OracleFamily::exact,
+       .oracle = "the catalogue",
+       .checks = {{.unit = "rows", .bound = 0.0, .reason = "counted"}},
+       .mutants = {{"mass/inertia_table.hpp", "{33, StoneColor::white", "{33, StoneColor::black"}},
+       .measure = measure_rows},
+      {.id = "TABLE-3",
+       .statement = "What mass_properties computes from the dimensions in double agrees with the certified table.",
+       .function = "mass_properties",
+       .family = OracleFamily::rounding,
+       .oracle = "the certified table",
+       .checks =
+           {{.unit = "relative",
+             .bound = 12.0 * std::numeric_limits<double>::epsilon(),
+             .reason =
+                 "8 ulp of production; width, height and bevel in metres are rounded (½ ulp each, to the fifth power), "
+                 "and ρ I once more",
+             .resolution = std::numeric_limits<double>::epsilon()}},
+       .mutants = {{"mass/volume.hpp", "T(2) * terms.arc.c2 * r1", "terms.arc.c2 * r1"}},
+       .measure = measure_production},
+      {.id = "TABLE-4",
+       .statement =
+           "Every entry of the inertia table is the double nearest to the exact value, by enclosures that no closed "
+           "form made.",
+       .function = "inertia_table",
+       .family = OracleFamily::quadrature,
+       .oracle = "Arb's rigorous integration of the profile",
+       .checks = {{.unit = "entries not proved",
+                   .bound = 0.0,
+                   .reason = "an entry is the nearest double or it is not"}},
+       .mutants = {{"mass/inertia_table.hpp", "1.843023970534333e-06", "1.8430239705343332e-06"}},
+       .measure = nearest_to(certify::witness_of)},
+  };
+}
+
+}  // namespace goishi::verify

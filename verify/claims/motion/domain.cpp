@@ -1,0 +1,228 @@
+/// DOMAIN: flights of bodies of any size, of any length, from exact singular starts. Witnesses: the formula in 113 bits,
+/// which FLIGHT-3 shows right, and the same flight in other units, by powers of two, which must have the same digits.
+
+#include <fmt/format.h>
+
+#include <goishi/motion/elliptic_flight.hpp>
+#include <goishi/motion/steppers.hpp>
+
+#include "verify/claims/claims.hpp"
+#include "verify/claims/motion/flight_errors.hpp"
+#include "verify/samples/domain.hpp"
+#include "verify/samples/flight.hpp"
+#include "verify/samples/motion.hpp"
+
+namespace goishi::verify {
+
+namespace {
+
+/// At the origin or far from it, at rest or turning, about its axis, across it, or any; round, as a lamina, any; at an
+/// attitude to the bit or any, as far off the unit sphere as is let through. All of any size.
+template <class T>
+Top<T> draw_any_top(Context& context, int i) {
+  constexpr bool single = std::numeric_limits<T>::digits < 30;
+  const double reach = single ? 12.0 : 120.0;
+  Top<T> top;
+  const T transverse = any_size<T>(context.random(), reach);
+  const std::array<T, 4> shares = {T(1), T(2), T(0.5), static_cast<T>(context.uniform(0.25, 2.0))};
+  top.moments = {.axial = transverse * shares[static_cast<std::size_t>(i) % shares.size()], .transverse = transverse};
+  const std::array<Quat<double>, 4> attitudes = {Quat<double>(1.0, 0.0, 0.0, 0.0), Quat<double>(0.0, 1.0, 0.0, 0.0),
+                                                 Quat<double>(std::sqrt(0.5), 0.0, std::sqrt(0.5), 0.0),
+                                                 draw_attitude(context.random())};
+  Quat<T> q = attitudes[static_cast<std::size_t>(i / 4) % attitudes.size()].template cast<T>().normalized();
+  const int defect = unit_defects[static_cast<std::size_t>(i / 3) % unit_defects.size()];
+  q.coeffs() *= defective<T>(defect);
+  const std::array<Vec3<T>, 4> spins = {Vec3<T>(T(0), T(0), T(1)), Vec3<T>(T(0), T(1), T(0)), Vec3<T>(T(0), T(0), T(0)),
+                                        draw_attitude(context.random()).template cast<T>() * Vec3<T>(T(1), T(0), T(0))};
+  const T time = any_size<T>(context.random(), single ? 8.0 : 60.0);
+  const T angle = any_size<T>(context.random(), single ? 5.0 : 9.0);
+  top.state =
+      spinning<T>(q, top.moments, Vec3<T>((angle / time) * spins[static_cast<std::size_t>(i / 5) % spins.size()]));
+  const auto far = [&] {
+    return i % 7 == 0 ? T(0) : any_size<T>(context.random(), reach) * static_cast<T>(context.uniform(-1.0, 1.0));
+  };
+  top.state.p_WB = {far(), far(), far()};
+  top.state.v_WB = {far(), T(0), far()};
+  top.time = i % 2 == 0 ? time : -time;
+  return top;
+}
+
+template <class T>
+void see_flights(Context& context, Worst& worst, int count) {
+  for (int i = 0; i < count; ++i) {
+    const Top<T> top = draw_any_top<T>(context, i);
+    const Vec3<T> gravity(T(0), T(0), i % 3 == 0 ? T(0) : -any_size<T>(context.random(), 6.0));
+    const int mode = rounding_modes[static_cast<std::size_t>(i / 11) % rounding_modes.size()];
+    const auto describe_it = [&] { return describe(top) + fmt::format(", mode {}", mode); };
+    const auto answer = answer_of(mode, [&] { return free_flight(top.state, top.moments, gravity, top.time); });
+    if (!answer) {
+      worst.see(NAN, [&] { return "refused: " + describe_it(); });
+      continue;
+    }
+    worst.see(attitude_error(produced(context, answer->q_WB), exact_attitude<Quad>(top), top), describe_it);
+    const double path = path_error(context, top.state, gravity, top.time, *answer);
+    const bool finite = answer->p_WB.allFinite() && answer->v_WB.allFinite();
+    worst.see(!finite        ? NAN
+              : path != path ? 0.0
+                             : path,  // 0/0: a coordinate that does not move
+              [&] { return "path: " + describe_it(); });
+    const double left = static_cast<double>(answer->q_WB.template cast<Quad>().squaredNorm() - Quad(1));
+    worst.see(std::fabs(left) / epsilon_of<T>, [&] { return "|q|: " + describe_it(); });
+  }
+}
+
+/// What overflows is refused.
+template <class T>
+void see_overflows(Worst& worst) {
+  const T huge = std::numeric_limits<T>::max() / T(2), root = std::sqrt(huge);
+  const Vec3<T> none(T(0), T(0), T(0)), one(T(1), T(0), T(0));
+  const State<T> rest{.p_WB = none, .q_WB = Quat<T>::Identity(), .v_WB = none, .L_W = none};
+  State<T> fast = rest, spinning = rest;
+  fast.v_WB = {huge, T(0), T(0)};
+  spinning.L_W = {T(0), T(0), huge};
+  const Moments<T> round{.axial = T(1), .transverse = T(1)},
+      least{.axial = std::numeric_limits<T>::denorm_min(), .transverse = std::numeric_limits<T>::denorm_min()};
+  const Vec3<T> brick(T(2), T(3), T(4));
+  const auto refused = [&](const char* name, auto&& call) {
+    worst.see(answer_of(FE_TONEAREST, call) ? NAN : 0.0, [&] { return std::string("taken: ") + name; });
+  };
+  refused("the way", [&] { return free_flight(fast, round, none, T(8)); });
+  refused("the gain", [&] { return free_flight(rest, round, Vec3<T>(huge * one), T(8)); });
+  refused("the angle", [&] { return free_flight(spinning, round, none, huge); });
+  refused("1/I", [&] { return free_flight(rest, least, none, T(1)); });
+  refused("the way", [&] { return elliptic_flight(fast, make_rigid_body(T(1), brick), none, T(8)); });
+  StoneBatch<T> batch(3);
+  batch.set(1, fast, round);
+  refused("the way of a batch", [&] { return batch.fly(none, T(8)), 0; });
+  batch.set(2, spinning, round);
+  refused("the angle of a batch", [&] { return batch.fly(none, root), 0; });
+  worst.see(batch.get(1).p_WB == none && batch.get(2).q_WB.w() == T(1) ? 0.0 : NAN, [] { return "half a batch flew"; });
+}
+
+Measurement measure_flights(Context& context) {
+  Worst worst;
+  see_flights<double>(context, worst, context.samples(3000, 30'000));
+  see_flights<float>(context, worst, context.samples(3000, 30'000));
+  see_overflows<double>(worst);
+  see_overflows<float>(worst);
+  return worst.measurement();
+}
+
+/// The same flight with moments times 2^m, times times 2^t: with L times 2^(m − t) the attitude has the same digits.
+template <class T>
+void see_units(Context& context, Worst& worst, int count) {
+  constexpr bool single = std::numeric_limits<T>::digits < 30;
+  for (int i = 0; i < count; ++i) {
+    const Flight flight = draw_flight(context.random(), body_kinds[static_cast<std::size_t>(i) % body_kinds.size()]);
+    const auto power = [&](double reach) { return static_cast<int>(context.uniform(-reach, reach)); };
+    const int m = power(single ? 40.0 : 480.0), t = power(single ? 40.0 : 480.0);
+    const auto scaled = [](const Vec3<T>& v, int n) {
+      return Vec3<T>(std::ldexp(v.x(), n), std::ldexp(v.y(), n), std::ldexp(v.z(), n));
+    };
+    const Vec3<T> none(T(0), T(0), T(0)), moments = flight.body.moments.cast<T>();
+    State<T> start{.p_WB = none,
+                   .q_WB = flight.start.q_WB.cast<T>().normalized(),
+                   .v_WB = none,
+                   .L_W = flight.start.L_W.cast<T>()};
+    const T time = static_cast<T>(context.uniform(-20.0, 20.0));
+    const auto fly = [&](const State<T>& from, const Vec3<T>& I, const T& span) {
+      return answer_of(FE_TONEAREST, [&] { return elliptic_flight(from, make_rigid_body(T(1), I), none, span); });
+    };
+    const auto plain = fly(start, moments, time);
+    start.L_W = scaled(start.L_W, m - t);
+    const auto other = fly(start, scaled(moments, m), std::ldexp(time, t));
+    const bool same =
+        plain && other && plain->q_WB.coeffs() == Eigen::Matrix<T, 4, 1>(context.produced(other->q_WB.coeffs()));
+    worst.see(same ? 0.0 : 1.0, [&] { return describe(flight) + fmt::format(", 2^{}, 2^{}, t = {}", m, t, time); });
+  }
+}
+
+Measurement measure_units(Context& context) {
+  Worst worst;
+  see_units<double>(context, worst, context.samples(500, 5000));
+  see_units<float>(context, worst, context.samples(500, 5000));
+  return worst.measurement();
+}
+
+/// Beyond what the batch's sine counts.
+template <class T>
+void see_batches(Context& context, Worst& worst, int count) {
+  constexpr bool single = std::numeric_limits<T>::digits < 30;
+  for (int i = 0; i < count; ++i) {
+    const T time = any_size<T>(context.random(), single ? 12.0 : 16.0) * (i % 2 == 0 ? T(1) : T(-1));
+    const Vec3<T> gravity(T(0), T(0), T(-10));
+    StoneBatch<T> batch(9);
+    std::vector<Top<T>> tops;
+    for (std::size_t k = 0; k < batch.size(); ++k) {
+      const Moments<T> moments = draw_moments<T>(context.random(), i + static_cast<int>(k), false);
+      const T speed = any_size<T>(context.random(), 3.0);
+      const Quat<T> q = draw_attitude(context.random()).template cast<T>().normalized();
+      tops.push_back({.moments = moments,
+                      .state = spinning<T>(q, moments, Vec3<T>(speed * draw_direction<T>(context.random(), i))),
+                      .time = time});
+      batch.set(k, tops.back().state, moments);
+    }
+    batch.fly(gravity, time);
+    for (std::size_t k = 0; k < batch.size(); ++k) {
+      const Quat<T> q = produced(context, batch.get(k).q_WB);
+      const Quat<T> alone = free_flight(tops[k].state, tops[k].moments, gravity, time).q_WB;
+      worst.see(attitude_error(q, exact_attitude<Quad>(tops[k]), tops[k]), [&] { return describe(tops[k]); });
+      const double left = static_cast<double>(q.template cast<Quad>().squaredNorm() - Quad(1));
+      worst.see(std::fabs(left) / epsilon_of<T>, [&] { return "|q|: " + describe(tops[k]); });
+      if (phase(tops[k]) > 1e10) {  // nothing but the same digits tells
+        worst.see(q.coeffs() == alone.coeffs() ? 0.0 : NAN, [&] { return "not as alone: " + describe(tops[k]); });
+      }
+    }
+  }
+}
+
+Measurement measure_batches(Context& context) {
+  Worst worst;
+  see_batches<double>(context, worst, context.samples(200, 2000));
+  see_batches<float>(context, worst, context.samples(200, 2000));
+  return worst.measurement();
+}
+
+}  // namespace
+
+std::vector<Claim> domain_motion_claims() {
+  return {
+      {.id = "DOMAIN-5",
+       .statement = "Free flight of bodies of any size, from any place, at rest, about an axis to the bit, with |q|² "
+                    "off by ± 60 ε, "
+                    "in each rounding mode: right to round-off; what overflows is refused.",
+       .function = "free_flight",
+       .family = OracleFamily::rounding,
+       .oracle = "the formula, which FLIGHT-3 shows right, in 113 bits; the parabola",
+       .checks = {{.unit = "ε (1 + phase)",
+                   .bound = 16.0,
+                   .reason = "twice FLIGHT-1's 8, for rounding that is not to the nearest",
+                   .resolution = 1.0}},
+       .mutants = {{"motion/free_flight.hpp", "const Quat<T> q = formula::reunited(q_WB);", "const Quat<T> q = q_WB;"},
+                   {"motion/free_flight.hpp", "T(0) < state.q_WB.squaredNorm() && ", ""},
+                   {"motion/free_flight.hpp", "scalar::is_finite(T(rates.precession + rates.spin))", "true"}},
+       .measure = measure_flights},
+      {.id = "DOMAIN-6",
+       .statement = "The flight of a body without a symmetry axis has the same digits in every unit: moments times "
+                    "2^±480, times "
+                    "times 2^±480 (float: 2^±40).",
+       .function = "elliptic_flight",
+       .family = OracleFamily::relation,
+       .oracle = "the same flight in other units",
+       .checks = {{.unit = "flights that differ", .bound = 0.0, .reason = "powers of two are exact"}},
+       .mutants = {{"motion/elliptic_flight.hpp", "size = momentum.cwiseAbs().maxCoeff(&k)",
+                    "size = T(0) * momentum.cwiseAbs().maxCoeff(&k) + T(1)"}},
+       .measure = measure_units},
+      {.id = "DOMAIN-7",
+       .statement = "A batch flies for up to 1e16 s (float: 1e12): each stone as alone, its attitude of length 1.",
+       .function = "StoneBatch::fly",
+       .family = OracleFamily::relation,
+       .oracle = "free_flight of the same stone, to the bit beyond 1e10 rad; the formula in 113 bits",
+       .checks = {{.unit = "ε (1 + phase)", .bound = 8.0, .reason = "as BATCH-1", .resolution = 0.5}},
+       .mutants = {{"motion/batch.hpp", "angle < T(65536) * T(65536)", "true"},
+                   {"motion/batch.hpp", "put(i, free_flight(get(i), rates, gravity, t));", "put(i, get(i));"}},
+       .measure = measure_batches},
+  };
+}
+
+}  // namespace goishi::verify

@@ -1,0 +1,383 @@
+/// ORDER: that each stepper has the order that it states, what it keeps, its floor of round-off, and how it fails.
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <goishi/mass/inertia.hpp>
+#include <goishi/motion/invariants.hpp>
+#include <goishi/motion/steppers.hpp>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "verify/claims/claims.hpp"
+#include "verify/claims/motion/convergence.hpp"
+#include "verify/oracles/numbers/multiprecision.hpp"
+#include "verify/samples/motion.hpp"
+
+namespace goishi::verify {
+
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+std::string name_of(Scheme scheme) {
+  return std::string(info(scheme).name);
+}
+
+// --- ORDER-1
+
+/// One of the bodies that others printed, van Zon's and Schofield's, and a stone of size 33 in a wobbling throw.
+Flight asymmetric_example() {
+  const RigidBody<double> body = make_rigid_body(1.0, Vec3<double>(10.0, 20.0, 26.0));
+  return {body,
+          {Vec3<double>::Zero(), Quat<double>::Identity(), Vec3<double>::Zero(), Vec3<double>(10.0, 300.0, 26.0)}};
+}
+Flight stone_example() {
+  const RigidBody<double> body = make_rigid_body(mass_properties(make_stone(0.022, 0.0092), Density{2800.0}));
+  const Vec3<double> w_WB_B(10.0, 0.0, 20.0);
+  return {body,
+          {Vec3<double>::Zero(), Quat<double>::Identity(), Vec3<double>::Zero(), body.moments.cwiseProduct(w_WB_B)}};
+}
+
+/// One that wobbles: about a principal axis a scheme may be exact, and has no order to be seen.
+Flight draw_wobble(Context& context, BodyKind kind) {
+  while (true) {
+    const Flight flight = draw_flight(context.random(), kind);
+    const Vec3<double> L_B = flight.start.q_WB.conjugate() * flight.start.L_W;
+    const Vec3<double> w_B = L_B.cwiseQuotient(flight.body.moments);
+    if (0.01 * L_B.norm() * w_B.norm() < L_B.cross(w_B).norm()) {
+      return flight;
+    }
+  }
+}
+
+Measurement measure_orders(Context& context) {
+  Worst worst;
+  for (int i = 0; i < context.samples(1, 3); ++i) {
+    for (const BodyKind kind : body_kinds) {
+      const Flight flight = draw_wobble(context, kind);
+      const std::vector<Attitude> truth = true_attitudes(flight);
+      for (const SchemeInfo& scheme : schemes) {
+        if (scheme.needs_symmetry && kind != BodyKind::symmetric) {
+          continue;
+        }
+        see_position_order(worst, context, scheme.scheme, flight, truth);
+        if (scheme.attitude_order != exact_order) {
+          see_attitude_order(worst, context, scheme.scheme, flight, truth, scheme.attitude_order);
+        }
+      }
+      // The talk's loop, against its own equation; and about a principal axis, where that equation is the true one.
+      see_attitude_order(worst, context, Scheme::published, flight, constantly_turned(flight), 2);
+      for (int axis = 0; axis < 3; ++axis) {
+        Flight about_axis = flight;
+        about_axis.start.L_W = flight.start.q_WB * Vec3<double>(flight.start.L_W.norm() * Vec3<double>::Unit(axis));
+        see_attitude_order(worst, context, Scheme::published, about_axis, constantly_turned(about_axis), 2);
+      }
+    }
+  }
+  Measurement result = worst.measurement();
+  result.plots = {order_plot(context, "Error against step: two turns of a body without a symmetry axis (10 : 20 : 26)",
+                             asymmetric_example()),
+                  order_plot(context, "Error against step: two turns of a stone of size 33", stone_example())};
+  return result;
+}
+
+// --- ORDER-2
+
+/// All substeps of a symmetric composition, the mirrored half included.
+template <std::size_t half_count>
+std::vector<Digits50> unfolded(const Context& context, const formula::Substeps<Digits50, half_count>& half) {
+  std::vector<Digits50> all;
+  for (std::size_t i = 0; i < 2 * half_count - 1; ++i) {
+    all.push_back(context.produced(half[i < half_count ? i : 2 * half_count - 2 - i]));
+  }
+  return all;
+}
+
+Measurement measure_coefficients(Context& context) {
+  Worst worst;
+  const auto see = [&](const Digits50& value, const Digits50& expected, const char* name) {
+    worst.see(static_cast<double>(Digits50(fabs(value - expected))), [&] { return std::string(name); });
+  };
+  const auto power_sum = [](const std::vector<Digits50>& substeps, int exponent) {
+    Digits50 sum = 0;
+    for (const Digits50& substep : substeps) {
+      sum += pow(substep, exponent);
+    }
+    return sum;
+  };
+  const std::vector<Digits50> two = unfolded(context, formula::composition_2<Digits50>());
+  const std::vector<Digits50> four = unfolded(context, formula::composition_4<Digits50>());
+  const std::vector<Digits50> six = unfolded(context, formula::composition_6<Digits50>());
+  for (const auto& substeps : {two, four, six}) {
+    see(power_sum(substeps, 1), 1, "Σγ = 1");
+  }
+  see(power_sum(four, 3), 0, "order 4: Σγ³ = 0");
+  see(four.front(), 1 / (4 - cbrt(Digits50(4))), "order 4: γ = 1/(4 − 4^⅓)");
+  see(power_sum(six, 3), 0, "order 6: Σγ³ = 0");
+  see(power_sum(six, 5), 0, "order 6: Σγ⁵ = 0");
+  // The one condition of order 6 that mixes: γ³ weighted by the square of the time at the substep's middle.
+  Digits50 before = 0, mixed = 0;
+  for (const Digits50& substep : six) {
+    const Digits50 middle = before + substep / 2;
+    mixed += pow(substep, 3) * middle * middle;
+    before += substep;
+  }
+  see(mixed, 0, "order 6: Σγ³ (time at the middle)² = 0");
+  return worst.measurement();
+}
+
+// --- ORDER-3
+
+Measurement measure_drift(Context& context) {
+  const Flight flight = draw_flight(context.random(), BodyKind::asymmetric);
+  const std::int64_t steps = context.samples(100'000, 1'000'000);
+  constexpr double angle = 0.2;  // in a step, at most
+  const double dt = angle / greatest_rate(flight);
+  const double energy = formula::rotational_energy(flight.start, flight.body);
+  const double momentum = flight.start.L_W.norm();
+  Worst worst;
+  Measurement figures;
+  for (const Scheme scheme : {Scheme::implicit_midpoint, Scheme::splitting_2, Scheme::splitting_4, Scheme::splitting_6,
+                              Scheme::runge_kutta_4}) {
+    const Stepper<double> stepper(scheme, flight.body, Vec3<double>::Zero());
+    State<double> state = flight.start;
+    double early = 0.0, late = 0.0, momentum_error = 0.0;
+    for (std::int64_t done = 0; done < steps; done += 10) {
+      const Stepped<double> stepped = stepper.advance(state, dt, 10);
+      worst.see(stepped.status == StepStatus::completed ? 0.0 : NAN, [&] { return name_of(scheme) + " fails"; });
+      state = stepped.state;
+      const double error = std::fabs(context.produced(formula::rotational_energy(state, flight.body)) / energy - 1.0);
+      (done < steps / 10 ? early : late) = std::max(done < steps / 10 ? early : late, error);
+      momentum_error = std::max(
+          momentum_error, std::fabs(context.produced(formula::in_body(state.q_WB, state.L_W).norm()) / momentum - 1.0));
+    }
+    figures.figures.push_back(
+        {fmt::format("{}: energy off by at most", name_of(scheme)),
+         fmt::format("{:.3g} in the first tenth, {:.3g} in all {} steps", early, std::max(early, late), steps)});
+    if (scheme == Scheme::runge_kutta_4) {
+      continue;  // it drifts: a figure to compare with
+    }
+    worst.see(momentum_error, 16.0 * epsilon, [&] { return "|L| of " + name_of(scheme) + ", " + describe(flight); });
+    if (scheme != Scheme::implicit_midpoint) {
+      worst.see(early, std::pow(angle, info(scheme).attitude_order),
+                [&] { return "size of the energy error of " + name_of(scheme) + ", " + describe(flight); });
+    }
+    const double walk = 4.0 * epsilon * std::sqrt(static_cast<double>(steps));
+    const double energy_error =
+        scheme == Scheme::implicit_midpoint ? late / walk : (late - early) / (0.01 * early + walk);
+    worst.see(std::max(energy_error, 0.0), [&] { return "energy of " + name_of(scheme) + ", " + describe(flight); });
+  }
+  Measurement result = worst.measurement();
+  result.figures = figures.figures;
+  return result;
+}
+
+// --- ORDER-4
+
+/// The same steps in long double.
+Quat<long double> in_long_double(Scheme scheme, const Flight& flight, double dt, std::int64_t steps) {
+  const auto wide = [](const Vec3<double>& v) { return Vec3<long double>(v.cast<long double>()); };
+  const State<long double> start = {.p_WB = wide(flight.start.p_WB),
+                                    .q_WB = flight.start.q_WB.cast<long double>().normalized(),
+                                    .v_WB = wide(flight.start.v_WB),
+                                    .L_W = wide(flight.start.L_W)};
+  const RigidBody<long double> body = {.mass = flight.body.mass, .moments = wide(flight.body.moments)};
+  return Stepper<long double>(scheme, body).advance(start, dt, steps).state.q_WB;
+}
+
+Measurement measure_round_off(Context& context) {
+  Worst worst;
+  for (int i = 0; i < context.samples(1, 3); ++i) {
+    for (const BodyKind kind : body_kinds) {
+      const Flight flight = draw_flight(context.random(), kind);
+      for (const SchemeInfo& scheme : schemes) {
+        if (scheme.needs_symmetry && kind != BodyKind::symmetric) {
+          continue;
+        }
+        const auto see = [&](int k, bool against_truth) {
+          const std::int64_t steps = std::int64_t{1} << k;
+          const double dt = 6.0 / greatest_rate(flight) / static_cast<double>(steps);
+          const State<double> end = Stepper<double>(scheme.scheme, flight.body).advance(flight.start, dt, steps).state;
+          const Quat<double> q_WB(context.produced(end.q_WB.coeffs().eval()));
+          const double error =
+              attitude_difference(q_WB, against_truth ? TrueAttitude(flight).at(static_cast<long double>(dt) * steps)
+                                                      : in_long_double(scheme.scheme, flight, dt, steps));
+          worst.see(error, round_off(scheme.scheme, static_cast<double>(steps)), [&] {
+            return fmt::format("{} steps of {} against {}, {}", steps, scheme.name,
+                               against_truth ? "the truth" : "long double", describe(flight));
+          });
+        };
+        for (int k = 6; k <= context.samples(12, 15); k += 3) {
+          see(k, false);
+        }
+        // So many steps that the scheme's own error is below.
+        if (scheme.attitude_order >= 4) {
+          see(scheme.attitude_order == 4 ? 14 : 10, true);
+        }
+      }
+    }
+  }
+  return worst.measurement();
+}
+
+// --- ORDER-5
+
+bool is_finite_and_unit(const State<double>& state) {
+  return state.p_WB.allFinite() && state.v_WB.allFinite() && state.L_W.allFinite() &&
+         std::fabs(state.q_WB.squaredNorm() - 1.0) < unit_tolerance<double>();
+}
+
+bool are_same(const State<double>& a, const State<double>& b) {
+  return a.p_WB == b.p_WB && a.v_WB == b.v_WB && a.L_W == b.L_W && a.q_WB.coeffs() == b.q_WB.coeffs();
+}
+
+/// A step from 1e-3 to 1e308, or the largest there is; a body and a momentum of any kind, about a principal axis too.
+Measurement measure_too_large(Context& context) {
+  Worst worst;
+  std::array<int, 3> ended{};
+  for (int i = 0; i < context.samples(3000, 30000); ++i) {
+    const SchemeInfo& scheme = schemes[static_cast<std::size_t>(i) % schemes.size()];
+    Flight flight =
+        draw_flight(context.random(),
+                    scheme.needs_symmetry ? BodyKind::symmetric : body_kinds[static_cast<std::size_t>(i / 9) % 3]);
+    if (i % 4 == 0) {
+      flight.start.L_W = flight.start.q_WB * Vec3<double>(Vec3<double>::Unit(i / 4 % 3));
+    }
+    const double dt = i % 50 == 0 ? std::numeric_limits<double>::max() : std::pow(10.0, context.uniform(-3.0, 308.0));
+    const Freedom freedom = i % 2 == 0 ? Freedom::angular : Freedom::both;
+    const Stepper<double> stepper(scheme.scheme, flight.body, gravity_W<double>(), freedom);
+    const std::int64_t steps = 1 + i % 5;
+    const auto [state, status, good] = stepper.advance(flight.start, dt, steps);
+    ++ended[static_cast<std::size_t>(status)];
+    const auto see = [&](bool holds, const char* what) {
+      worst.see(holds ? 0.0 : 1.0, [&] {
+        return fmt::format("{}: {} steps of {:a} by {} ended as {}, {}", what, steps, dt, scheme.name,
+                           to_string(status), describe(flight));
+      });
+    };
+    see(is_finite_and_unit(state), "a state that is not finite, or an attitude that is not a unit quaternion");
+    see((status == StepStatus::completed) == (good == steps), "the count of good steps");
+    // A hundred turns of the slowest axis in a step: Runge–Kutta's polynomial leaves the unit sphere.
+    const double least_rate = flight.start.L_W.norm() / flight.body.moments.maxCoeff();
+    see(scheme.scheme != Scheme::runge_kutta_4 || !(dt * least_rate > 600.0) || status != StepStatus::completed,
+        "a step far too large, not noticed");
+    see(are_same(state, stepper.advance(flight.start, dt, good).state), "not the last good state");
+  }
+  Measurement result = worst.measurement();
+  for (const StepStatus status : {StepStatus::completed, StepStatus::diverged, StepStatus::not_converged}) {
+    result.figures.push_back(
+        {std::string(to_string(status)), fmt::format("{} of the runs", ended[static_cast<std::size_t>(status)])});
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Claim> order_claims() {
+  return {
+      {.id = "ORDER-1",
+       .statement =
+           "Each scheme converges with the order that it states, neither faster nor slower; the published loop "
+           "with order 2 to a motion of its own, and not to the true one unless L is along a principal axis.",
+       .function = "Stepper",
+       .family = OracleFamily::integration,
+       .oracle = "the raw Newton–Euler equations by Taylor series of order 24 in long double; slopes of the error by "
+                 "step halving",
+       .checks = {{.unit = "of the slope's tolerance",
+                   .bound = 1.0,
+                   .reason = "the next term of the error, in the smallest steps that are not at round-off: 0.05 for "
+                             "slopes of order "
+                             "0, 1 and 2, 0.1 for 4, 0.2 for 6",
+                   .resolution = 0.02}},
+       .mutants = {{"motion/step_formulas.hpp", "formula::along(start, k2, half)", "formula::along(start, k1, half)"},
+                   {"motion/step_formulas.hpp", "middle - start - middle.cross", "middle - start + middle.cross"},
+                   {"motion/step_formulas.hpp", "rotor.L_B[j] = cosine * L_j + sine * L_k",
+                    "rotor.L_B[j] = cosine * L_j - sine * L_k"},
+                   {"motion/step_formulas.hpp", "i + 1 < count ? T(mine + half * substep(i + 1)) : mine", "T(mine)"},
+                   {"motion/step_formulas.hpp", "T(q_WB.w() + dt * rate.w())", "T(q_WB.w() - dt * rate.w())"},
+                   {"motion/step_formulas.hpp", "formula::rotation_exp(Vec3<T>(dt * w_WB)) * q_WB",
+                    "q_WB * formula::rotation_exp(Vec3<T>(dt * w_WB))"},
+                   {"motion/steppers.hpp", "return formula::composition_4<T>()", "return formula::composition_6<T>()"},
+                   {"rotation.hpp", "pw * qy - px * qz + py * qw + pz * qx", "pw * qy + px * qz + py * qw - pz * qx"}},
+       .measure = measure_orders},
+      {.id = "ORDER-2",
+       .statement = "The substeps of the compositions obey the conditions of their order, to the 27 digits that they "
+                    "are given with.",
+       .function = "composition_2, composition_4, composition_6",
+       .family = OracleFamily::exact,
+       .oracle = "the order conditions of symmetric compositions, in 50 digits",
+       .checks =
+           {{.unit = "absolute",
+             .bound = 1e-26,
+             .reason =
+                 "half a unit of the 27th digit in each substep, times up to 9 substeps and derivatives of up to 3",
+             .resolution = 5e-28}},
+       .mutants = {{"motion/step_formulas.hpp", "142354063", "142354163"},
+                   {"motion/step_formulas.hpp", "279250560", "279250660"},
+                   {"motion/step_formulas.hpp", "599748634", "599748734"},
+                   {"motion/step_formulas.hpp", "809964820", "809964920"},
+                   {"motion/step_formulas.hpp", "231490449", "231490549"},
+                   {"motion/step_formulas.hpp", "T(1) - T(4) * outer", "T(1) - T(2) * outer"}},
+       .measure = measure_coefficients},
+      {.id = "ORDER-3",
+       .statement =
+           "In 100 000 steps (a million in the full tier) of 0.2 rad the splittings' energy does not leave the "
+           "range of its first tenth, implicit midpoint keeps it to round-off, and all keep |L|.",
+       .function = "Stepper, rotational_energy",
+       .family = OracleFamily::invariant,
+       .oracle = "energy and |L| at the start, on a body without a symmetry axis",
+       .checks =
+           {{.unit = "of the bound of each",
+             .bound = 1.0,
+             .reason =
+                 "|L| through the attitude: 16 ε, a dozen roundings, none accumulating; midpoint's energy: a random "
+                 "walk "
+                 "of some 4 ε a step, 4 ε √n; the splittings': a quasi-periodic error of at most 0.2 to the power of "
+                 "their order, whose maximum is met to 1 % in the first tenth, and the same random walk",
+             .resolution = 0.02}},
+       .mutants = {{"motion/step_formulas.hpp", "cosine = T(1) - T(2) * scalar::sq(s)",
+                    "cosine = T(1) - scalar::sq(s)"},
+                   {"motion/step_formulas.hpp", "rotor.L_B[i] * inverse_moments[i] * dt / T(2)",
+                    "rotor.L_B[i] * inverse_moments[(i + 1) % 3] * dt / T(2)"},
+                   {"motion/step_formulas.hpp", "T(1) / scalar::sqrt(T(T(1) + half_turn.dot(half_turn)))",
+                    "T(1) / scalar::sqrt(T(T(1) + half_turn.dot(half_turn) / T(2)))"},
+                   {"motion/step_formulas.hpp", "half_turn = dt / T(2) *", "half_turn = dt *"}},
+       .measure = measure_drift},
+      {.id = "ORDER-4",
+       .statement = "Below their own error the schemes have a floor that grows as round-off predicts: like ε √n, and "
+                    "like ε n where a product rounds alike in every step.",
+       .function = "Stepper",
+       .family = OracleFamily::relation,
+       .oracle = "the same steps in long double; the truth, by Taylor series, where the scheme's own error is below "
+                 "round-off",
+       .checks =
+           {{.unit = "of ε (16 √n + c n)",
+             .bound = 1.0,
+             .reason =
+                 "a step rounds the attitude by about 2 ε, which shears by up to 1 + 6 rad until the end: 16 ε √n as a "
+                 "random walk; c: an eighth of the half ulp, 1/16, for each product with a cosine that is a few ulps "
+                 "below 1, and 16 for `published`, which makes momentum of velocity and back in every step with an "
+                 "attitude that is off the sphere by ε",
+             .resolution = 0.05}},
+       .mutants = {{"motion/step_formulas.hpp", "cosine = T(1) - T(2) * scalar::sq(s), sine = T(2) * s * c",
+                    "cosine = T(1) - T(2) * scalar::sq(s), sine = T(float(T(2) * s * c))"},
+                   {"rotation.hpp", "const T scale = (T(3) - square) / T(2)", "const T scale = T(1)"}},
+       .measure = measure_round_off},
+      {.id = "ORDER-5",
+       .statement = "A step too large, up to the largest number, never ends in silence: the state that comes back is "
+                    "finite with a unit attitude, or it is the last good one and the status says so.",
+       .function = "Stepper",
+       .family = OracleFamily::invariant,
+       .oracle = "finite numbers, |q| = 1, and the good steps alone",
+       .checks = {{.unit = "count", .bound = 0.0, .reason = "exact", .counts = true}},
+       .mutants = {{"motion/steppers.hpp", "if (!scalar::is_finite(T(p.sum() + v.sum())))", "if (false)"},
+                   {"motion/steppers.hpp", "if (!(T(1) / T(4) < square && square < T(4)))", "if (square < T(0))"}},
+       .measure = measure_too_large},
+  };
+}
+
+}  // namespace goishi::verify

@@ -1,0 +1,266 @@
+/// PUBLISHED: the talk's numbers, reproduced by the recipe that made them, and refuted.
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <goishi/mass/inertia.hpp>
+#include <goishi/shape/catalogue.hpp>
+#include <numbers>
+
+#include "verify/claims/claims.hpp"
+#include "verify/oracles/published/bevel.hpp"
+
+namespace goishi::verify {
+
+namespace {
+
+using std::numbers::pi;
+
+// The published example: size 33, lengths in cm, mass 1.
+constexpr double published_width = 2.2;
+constexpr double published_height = 0.92;
+constexpr double printed_closed_form = 0.303588;
+constexpr double printed_transverse = 0.177721;
+constexpr double printed_axial = 0.304776;
+
+double lens_radius(double w, double h) {
+  return (w * w + h * h) / (4.0 * h);
+}
+
+/// The volume that the original program took, in "cm³"; it adds an area, a length and a length.
+double published_volume(double w, double h) {
+  const double r = lens_radius(w, h);
+  const double d = r - h / 2.0;
+  return d * d + pi * r / 4.0 + pi * d / 24.0;
+}
+
+/// What production gives for the same stone, in cm² per unit mass.
+MassProperties<double> right_properties() {
+  return mass_properties(make_stone(published_width, published_height), Density{1.0});
+}
+
+Measurement measure_closed_form(Context& context) {
+  const double h = published_height;
+  const double r = lens_radius(published_width, h);
+  const double volume = published_volume(published_width, h);
+  const double per_density = h * h * h * (3.0 * h * h - 30.0 * h * r + 80.0 * r * r) / 480.0 * pi;
+  const MassProperties<double> right = right_properties();
+  Worst worst;
+  // To the last printed digit: the difference is half a unit of it at most.
+  worst.see(std::fabs(per_density / volume - printed_closed_form) / 1e-6, [] { return "0.303588"; });
+  // The closed form for I_a is right, only its density is not. Same number, from the shipped formula.
+  worst.see(std::fabs(context.produced(right.moments.axial) / volume - printed_closed_form) / 1e-6,
+            [] { return "production's I_a over the published volume"; });
+  Measurement result = worst.measurement();
+  result.figures = {{"published volume V'", fmt::format("{:.7f} \"cm³\"", volume)},
+                    {"right volume", fmt::format("{:.7f} cm³", right.volume)},
+                    {"I_a/m with V'", fmt::format("{:.6f} cm², as printed", per_density / volume)},
+                    {"right I_a/m", fmt::format("{:.6f} cm²", right.moments_per_mass.axial)}};
+  return result;
+}
+
+Measurement measure_dimensions(Context& context) {
+  // A volume grows by 8 when lengths double. V' does not.
+  const double growth = published_volume(2.0 * published_width, 2.0 * published_height) /
+                        published_volume(published_width, published_height);
+  const double right = mass_properties(make_stone(2.0 * published_width, 2.0 * published_height), Density{1.0}).volume /
+                       right_properties().volume;
+  Worst worst;
+  worst.see(std::fabs(context.produced(right) - 8.0), [] { return "production's volume, lengths doubled"; });
+  worst.see(growth < 4.0 ? 0.0 : 1.0, [] { return "V', lengths doubled: it grows like an area at most"; });
+  Measurement result = worst.measurement();
+  result.figures = {{"V' grows by", fmt::format("{:.4f} when lengths double", growth)},
+                    {"a volume grows by", fmt::format("{:.4f}", right)}};
+  return result;
+}
+
+/// The original program's grid sum, float and double where it had them.
+struct GridSum {
+  int nodes = 0;
+  double transverse_x = 0.0, axial = 0.0, transverse_z = 0.0;
+};
+
+GridSum grid_sum() {
+  const double w = static_cast<double>(2.2f);
+  const double h = static_cast<double>(0.92f);
+  const double r = lens_radius(w, h);
+  const double d = r - h / 2.0;
+  const int across = static_cast<int>(std::ceil(w / 0.1));   // 23: 2.2f/0.1 is 22.0000005
+  const int through = static_cast<int>(std::ceil(h / 0.1));  // 10
+  const double dx = w / across;
+  const double dy = h / through;
+  const double cell_mass = dx * dy * dx / published_volume(w, h);
+  GridSum sum;
+  for (int i = 0; i <= across; ++i) {
+    for (int j = 0; j <= through; ++j) {
+      for (int k = 0; k <= across; ++k) {
+        const double x = -w / 2.0 + i * dx;
+        const double y = -h / 2.0 + j * dy;  // the talk's y is the symmetry axis
+        const double z = -w / 2.0 + k * dx;
+        const double along = std::fabs(y) + d;
+        if (std::sqrt(x * x + along * along + z * z) <= r + 0.001) {
+          ++sum.nodes;
+          sum.transverse_x += cell_mass * (y * y + z * z);
+          sum.axial += cell_mass * (x * x + z * z);
+          sum.transverse_z += cell_mass * (x * x + y * y);
+        }
+      }
+    }
+  }
+  return sum;
+}
+
+Measurement measure_grid(Context& context) {
+  const GridSum sum = grid_sum();
+  Worst worst;
+  worst.see(std::fabs(sum.transverse_x - printed_transverse) / 1e-6, [] { return "I_x"; });
+  worst.see(std::fabs(sum.axial - printed_axial) / 1e-6, [] { return "I_y"; });
+  worst.see(std::fabs(sum.transverse_z - printed_transverse) / 1e-6, [] { return "I_z"; });
+  worst.see(std::fabs(context.produced(static_cast<double>(sum.nodes)) - 2176.0), [] { return "nodes counted"; });
+  Measurement result = worst.measurement();
+  result.figures = {
+      {"grid sum", fmt::format("diag({:.6f}, {:.6f}, {:.6f}) cm²", sum.transverse_x, sum.axial, sum.transverse_z)},
+      {"nodes inside", fmt::format("{}", sum.nodes)}};
+  return result;
+}
+
+Measurement measure_low(Context& context) {
+  const MassProperties<double> right = right_properties();
+  const double axial = context.produced(right.moments_per_mass.axial);
+  const double transverse = context.produced(right.moments_per_mass.transverse);
+  Worst worst;
+  worst.see(std::fabs(axial - 0.415607) / 1e-6, [] { return "I_a/m"; });
+  worst.see(std::fabs(transverse - 0.244624) / 1e-6, [] { return "I_t/m"; });
+  // "27 % low": the deficits are 26.7, 27.0 and 27.3 %.
+  for (const double deficit :
+       {1.0 - printed_axial / axial, 1.0 - printed_closed_form / axial, 1.0 - printed_transverse / transverse}) {
+    worst.see(std::fabs(deficit - 0.27) / 0.01, [&] { return fmt::format("a deficit of {:.2f} %", 100.0 * deficit); });
+  }
+  // With the right volume both prints of I_a come right, the grid's to half a percent: they share the density, no more.
+  const double density = published_volume(published_width, published_height) / right.volume;
+  for (const double print : {printed_axial, printed_closed_form}) {
+    worst.see(std::fabs(print * density / axial - 1.0) / 0.01,
+              [&] { return fmt::format("{} with the right volume", print); });
+  }
+  Measurement result = worst.measurement();
+  result.figures = {
+      {"printed", fmt::format("diag({}, {}, {}) cm²", printed_transverse, printed_axial, printed_transverse)},
+      {"right", fmt::format("diag({0:.6f}, {1:.6f}, {0:.6f}) cm²", transverse, axial)},
+      {"printed I_a/m is low by", fmt::format("{:.1f} %", 100.0 * (1.0 - printed_axial / axial))},
+      {"the closed form's I_a/m is low by", fmt::format("{:.1f} %", 100.0 * (1.0 - printed_closed_form / axial))},
+      {"printed I_t/m is low by", fmt::format("{:.1f} %", 100.0 * (1.0 - printed_transverse / transverse))}};
+  return result;
+}
+
+Measurement measure_bevel(Context& context) {
+  // In mm.
+  const double r = lens_radius(22.0, 9.2);
+  const double d = r - 4.6;
+  const PublishedBevel<double> wrong(r, d, 1.0);
+  const Stone<double> right = make_stone(22.0, 9.2, 1.0);
+  const double r1 = context.produced(right.bevel_major_radius);
+  const double r2 = context.produced(right.bevel_minor_radius);
+  Worst worst;
+  worst.see(std::fabs(wrong.minor_radius + 5.85) / 0.01, [] { return "the published r₂ of −5.85 mm"; });
+  worst.see(std::fabs(r2 - 0.68) / 0.01, [] { return "the right r₂ of 0.68 mm"; });
+  // What is right touches the sphere from inside, r − r₂ = √(d² + r₁²), at height b/2: to 1e-12 mm.
+  worst.see(std::fabs((r - r2) - std::hypot(d, r1)) / 1e-12, [] { return "tangency of the right bevel"; });
+  worst.see(std::fabs(-d + r * d / (r - r2) - 0.5) / 1e-12, [] { return "height of the right joint"; });
+  Measurement result = worst.measurement();
+  result.figures = {{"published r₁, r₂", fmt::format("{:.4f} mm, {:.4f} mm", wrong.major_radius, wrong.minor_radius)},
+                    {"right r₁, r₂", fmt::format("{:.4f} mm, {:.4f} mm", r1, r2)},
+                    {"the published r₂ is off by", fmt::format("{:.4f} mm", wrong.minor_radius - r2)}};
+  return result;
+}
+
+Measurement measure_black(Context& context) {
+  // Black stones are 0.3 mm larger, not 0.3 cm.
+  const CatalogueStone white = catalogue_stone(33, StoneColor::white);
+  const CatalogueStone black = catalogue_stone(33, StoneColor::black);
+  const double larger = context.produced(metres<double>(black.width) - metres<double>(white.width));
+  Worst worst;
+  worst.see(std::fabs(larger - 0.0003) / 1e-6, [] { return "how much wider black is"; });
+  Measurement result = worst.measurement();
+  const auto mass = [](double w, double h) { return mass_properties(make_stone(w, h), Density{2750.0}).mass; };
+  result.figures = {{"black, 22.3 × 9.8 mm",
+                     fmt::format("{:.2f} g", 1e3 * mass(metres<double>(black.width), metres<double>(black.height)))},
+                    {"as published, 25 × 12.2 mm", fmt::format("{:.2f} g", 1e3 * mass(0.025, 0.0122))}};
+  return result;
+}
+
+}  // namespace
+
+std::vector<Claim> published_claims() {
+  const std::string half_digit = "half a unit of the last printed digit";
+  return {
+      {.id = "PUBLISHED-1",
+       .statement = "The printed closed form of size 33, 0.303588 cm², comes from a right formula and the wrong volume "
+                    "V' = d² + πr/4 + πd/24.",
+       .function = "mass_properties, sharp",
+       .family = OracleFamily::published,
+       .oracle = "the talk's number, and its recipe",
+       .checks = {{.unit = "last printed digits", .bound = 0.5, .reason = half_digit, .resolution = 0.5}},
+       .mutants = {{"mass/inertia.hpp", "T(10) * c4 + a2 * (T(5) * c2 + a2)", "T(10) * c4 + a2 * (T(5) * c2)"}},
+       .measure = measure_closed_form},
+      {.id = "PUBLISHED-2",
+       .statement = "V' fails dimensional analysis: it does not grow by 8 when lengths double.",
+       .function = "mass_properties, sharp",
+       .family = OracleFamily::relation,
+       .oracle = "the same stone, twice as large",
+       .checks = {{.unit = "absolute",
+                   .bound = 1e-14,
+                   .reason = "doubling is exact; two volumes of 1 ulp each, times 8",
+                   .resolution = 16.0 * std::numeric_limits<double>::epsilon()}},
+       .mutants = {{"mass/volume.hpp", "/ T(3) * a * (", "/ T(3) * ("}},
+       .measure = measure_dimensions},
+      {.id = "PUBLISHED-3",
+       .statement = "The printed tensor diag(0.177721, 0.304776, 0.177721) cm² comes out of a grid sum of 2176 nodes "
+                    "over V', digit for digit.",
+       .function = "none: the original program's grid sum, written anew here",
+       .family = OracleFamily::published,
+       .oracle = "the talk's numbers, and their recipe",
+       .checks = {{.unit = "last printed digits", .bound = 0.5, .reason = half_digit, .resolution = 0.5}},
+       .mutants = {},
+       .measure = measure_grid},
+      {.id = "PUBLISHED-4",
+       .statement = "Both prints are 27 % low: right is diag(0.244624, 0.415607, 0.244624) cm². They agree because "
+                    "they share the density.",
+       .function = "mass_properties, sharp",
+       .family = OracleFamily::published,
+       .oracle = "the talk's numbers",
+       .checks = {{.unit = "last digits, or percent off 27 %",
+                   .bound = 0.5,
+                   .reason = half_digit + "; half a percent",
+                   .resolution = 0.5}},
+       .mutants = {{"mass/inertia.hpp", "T(20) * (T(3) * c2 + a2)", "T(20) * (T(3) * c2 - a2)"}},
+       .measure = measure_low},
+      {.id = "PUBLISHED-5",
+       .statement = "The published CalculateBevel gives r₂ = −5.85 mm for 22 × 9.2 mm, b = 1 mm, where 0.68 mm touches "
+                    "both caps.",
+       .function = "make_stone(width, height, bevel)",
+       .family = OracleFamily::published,
+       .oracle = "the talk's function, and the tangency of circles",
+       .checks = {{.unit = "0.01 mm, or 1e-12 mm",
+                   .bound = 0.5,
+                   .reason = "half a unit of the last digit of −5.85 and 0.68 mm; tangency to half of 1e-12 mm",
+                   .resolution = 0.01}},
+       .mutants = {{"shape/bevel.hpp", "T(2) * sphere_offset + (height + bevel_height) / T(2)",
+                    "T(2) * sphere_offset + height / T(2)"}},
+       .measure = measure_bevel},
+      {.id = "PUBLISHED-6",
+       .statement = "Black stones are 0.3 mm wider than white ones, not 0.3 cm.",
+       .function = "catalogue_stone",
+       .family = OracleFamily::published,
+       .oracle = "the Nihon Ki-in's figure",
+       .checks = {{.unit = "µm",
+                   .bound = 1.1e-11,
+                   .reason =
+                       "the two widths are each rounded, and 0.3 mm as it is written here: 3 ulp of 22 mm are 1e-11 µm",
+                   .resolution = 3.5e-12}},
+       .mutants = {{"shape/catalogue.hpp", "black_wider = 300", "black_wider = 3000"}},
+       .measure = measure_black},
+  };
+}
+
+}  // namespace goishi::verify

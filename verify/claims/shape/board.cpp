@@ -1,0 +1,205 @@
+/// BOARD: its nine regions, and rays.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <goishi/board/ray.hpp>
+#include <goishi/contact/stone_board.hpp>
+#include <string>
+
+#include "verify/claims/claims.hpp"
+#include "verify/samples/pose.hpp"
+
+namespace goishi::verify {
+
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+// --- regions
+
+/// −1, 0 or 1: the side of the board that a region is at.
+struct Side {
+  int x, y;
+};
+
+Side side_of(Region region) {
+  const std::string_view name = to_string(region);
+  const auto has = [&](std::string_view word) { return name.find(word) != std::string_view::npos; };
+  return {has("left") ? -1 : has("right") ? 1 : 0, has("bottom") ? -1 : has("top") ? 1 : 0};
+}
+
+/// Whether a region lets a stone touch along a normal out of the board.
+bool allows(Region region, const Vec3<double>& n) {
+  const Side side = side_of(region);
+  const auto fits = [](double component, int at) { return component == 0.0 || component * at > 0.0; };
+  return fits(n.x(), side.x) && fits(n.y(), side.y);
+}
+
+/// Dots where the centre of a stone on the surface is, by the kind of its region; the board's outline.
+Plot picture() {
+  const Board<double> board = make_board<double>({.lines = 5});
+  const double reach = outer_width(make_stone(0.022, 0.0092, 0.001)) / 2.0;
+  const auto mm = [](double x, double y) { return std::pair(1e3 * x, 1e3 * y); };
+  const double X = board.half_width, Y = board.half_length;
+  std::array<Series, 4> kinds;
+  kinds[0] = {.name = "primary: the surface", .points = {}, .line = false};
+  kinds[1] = {.name = "four sides: surface, a side, the edge between", .points = {}, .line = false};
+  kinds[2] = {.name = "four corners: surface, two sides, three edges, a corner", .points = {}, .line = false};
+  kinds[3] = {.name = "out of reach", .points = {}, .line = false, .look = Look::foreign};
+  constexpr int count = 56;
+  for (int i = 0; i <= count; ++i) {
+    for (int j = 0; j <= count; ++j) {
+      const double x = (X + 1.3 * reach) * (2.0 * i / count - 1.0), y = (Y + 1.3 * reach) * (2.0 * j / count - 1.0);
+      const Region region = region_of(board, Vec3<double>(x, y, 0.0), reach);
+      const Side side = side_of(region);
+      const std::size_t kind =
+          region == Region::out_of_reach ? 3 : static_cast<std::size_t>(std::abs(side.x) + std::abs(side.y));
+      kinds[kind].points.push_back(mm(x, y));
+    }
+  }
+  Series outline{.name = "the board's outline", .points = {mm(-X, -Y), mm(X, -Y), mm(X, Y), mm(-X, Y), mm(-X, -Y)}};
+  return {.title = "The nine regions of a board with five lines, from above, for the centre of a stone of size 33",
+          .x_label = "x [mm]",
+          .y_label = "y [mm]",
+          .equal_scale = true,
+          .series = {kinds[0], kinds[1], kinds[2], kinds[3], outline}};
+}
+
+Measurement measure_regions(Context& context) {
+  Measurement result;
+  Measured& seen = result.checks.emplace_back(Measured{.error = 0.0});
+  std::array<int, 10> regions{};
+  Specimen specimen;
+  for (int i = 0; i < context.samples(40000, 400000); ++i) {
+    if (i % 8 == 0) {
+      specimen = draw_stone(context, i / 8);
+    }
+    const Stone<double>& stone = specimen.stone;
+    const double reach = outer_width(stone) / 2.0;
+    const Board<double> board = draw_board(context, i / 48);
+    if (board.half_width < reach || board.half_length < reach) {
+      continue;  // two sides at once are within reach: no board of nine regions
+    }
+    const Pose<double> pose = draw_board_pose(context, stone, board, i);
+    const Separation<double> at = separation(stone, pose, board);
+    // One that overlaps may be pushed out over whatever is within its reach and depth.
+    const Region region = region_of(board, pose.p_WB, context.produced(reach) + std::fmax(0.0, -at.gap));
+    ++regions[static_cast<std::size_t>(region)];
+    // What touches, or is no deeper than it takes for the shortest way out to be another.
+    const bool touches = std::fabs(at.gap) < 1e-3 * reach || (at.gap < 0.0 && pose.p_WB.z() > -stone.height / 2.0);
+    const bool wrong = region == Region::out_of_reach ? at.gap < -4.0 * epsilon * board.half_length
+                                                      : touches && !allows(region, at.n_W);
+    ++seen.cases;
+    if (wrong) {
+      seen.error += 1.0;
+      seen.worst_case =
+          fmt::format("{}: {}, board {:a} × {:a}, n = {}, gap {:.6g}", to_string(region), describe(specimen, pose),
+                      board.half_width, board.half_length, describe(at.n_W), at.gap);
+    }
+  }
+  for (std::size_t k = 0; k < regions.size(); ++k) {
+    result.figures.push_back({std::string(to_string(static_cast<Region>(k))), fmt::format("{} poses", regions[k])});
+  }
+  result.plots = {picture()};
+  return result;
+}
+
+// --- rays
+
+Measurement measure_rays(Context& context) {
+  Worst worst;
+  for (int i = 0; i < context.samples(20000, 200000); ++i) {
+    const Board<double> board = draw_board(context, i / 8);
+    const Vec3<double> size(board.half_width, board.half_length, board.thickness / 2.0);
+    const auto within = [&](double share) {
+      return Vec3<double>(size.x() * context.uniform(-share, share), size.y() * context.uniform(-share, share),
+                          -size.z() + size.z() * context.uniform(-share, share));
+    };
+    Vec3<double> u = draw_unit(context);
+    if (i % 5 == 0) {  // in a plane of the axes, or along one
+      u[i / 5 % 3] = 0.0;
+      u[(i / 5 + 1) % 3] *= i % 10 == 0 ? 0.0 : 1.0;
+      u.normalize();
+    }
+    const double away = i % 3 == 0 ? 0.0 : i % 3 == 1 ? context.uniform(-1.0, 1.0) : 10.0;
+    const Vec3<double> p = within(1.5) - away * u;
+    const BoardRayHit<double> hit = cast_ray(board, p, u);
+    const double scale = size.sum() + p.norm();
+    /// < 0 in the board.
+    const auto outside = [&](double t) {
+      const Vec3<double> x = p + t * u;
+      return std::max(
+          {std::fabs(x.x()) - board.half_width, std::fabs(x.y()) - board.half_length, x.z(), -board.thickness - x.z()});
+    };
+    const auto see = [&](double error, const char* name) {
+      worst.see(error, scale, [&] {
+        return fmt::format("{}: board {:a} × {:a} × {:a}, p = {}, u = {}", name, board.half_width, board.half_length,
+                           board.thickness, describe(p), describe(u));
+      });
+    };
+    if (!hit.hit) {
+      // Convex along the line: nowhere inside, at points that close in on the nearest.
+      double low = -p.dot(u) - 2.0, high = -p.dot(u) + 2.0;
+      for (int k = 0; k < 80; ++k) {
+        const double one = low + (high - low) / 3.0, other = high - (high - low) / 3.0;
+        (outside(one) < outside(other) ? high : low) = outside(one) < outside(other) ? other : one;
+      }
+      see(-outside((low + high) / 2.0), "it passes, and is inside");
+      continue;
+    }
+    const double entry = context.produced(hit.entry), exit = context.produced(hit.exit);
+    see(std::fabs(outside(entry)), "entry");
+    see(std::fabs(outside(exit)), "exit");
+    see(outside((entry + exit) / 2.0), "between");
+    see(hit.forward == (exit >= 0.0) ? 0.0 : scale, "forward");
+    if (hit.forward) {
+      see(std::fabs(hit.first - (hit.entry < 0.0 ? hit.exit : hit.entry)), "first");
+      see((hit.p_W - (p + hit.first * u)).norm(), "the point");
+      // Out of the board there; against the ray from outside, along it from inside.
+      see(std::fabs(std::fabs(hit.n_W.dot(hit.p_W + size.z() * Vec3<double>::UnitZ())) - size.dot(hit.n_W.cwiseAbs())),
+          "the face");
+      see(hit.n_W.dot(u) * (hit.entry < 0.0 ? 1.0 : -1.0) >= 0.0 ? 0.0 : scale, "the normal's direction");
+    }
+  }
+  return worst.measurement();
+}
+
+}  // namespace
+
+std::vector<Claim> board_claims() {
+  return {
+      {.id = "BOARD-1",
+       .statement = "A stone touches only what its region names: out of reach nothing, over the primary region the "
+                    "surface alone, at a side that side and its edge, at a corner that corner's sides and edges.",
+       .function = "region_of",
+       .family = OracleFamily::invariant,
+       .oracle = "the normal of the separation, which CONTACT-2 judges, at poses of every stratum",
+       .checks = {{.unit = "poses", .bound = 0.0, .reason = "there must be none", .resolution = 0.0, .counts = true}},
+       .mutants = {{"board/board.hpp", "board.half_width - reach < x", "board.half_width < x"},
+                   {"board/board.hpp", "board.half_length + reach < y", "board.half_length < y"},
+                   {"board/board.hpp", "const bool bottom = p_W.y() < T(0);", "const bool bottom = p_W.x() < T(0);"}},
+       .measure = measure_regions},
+      {.id = "BOARD-2",
+       .statement =
+           "A ray enters and leaves the board where the box begins and ends, all six faces; a ray that passes is "
+           "said to pass.",
+       .function = "cast_ray (board)",
+       .family = OracleFamily::invariant,
+       .oracle = "inside the box or not, along the ray",
+       .checks = {{.unit = "of the board and the distance",
+                   .bound = 1e-14,
+                   .reason = "a difference and a quotient of up to 10 m, and the point p + t u, each rounded once",
+                   .resolution = epsilon}},
+       .mutants = {{"board/ray.hpp", "if (exit.t < entry.t) {", "if (exit.t < T(0)) {"},
+                   {"board/ray.hpp", "Vec3<T> low(-board.half_width, -board.half_length, -board.thickness)",
+                    "Vec3<T> low(-board.half_width, -board.half_length, T(-2) * board.thickness)"},
+                   {"board/ray.hpp", "result.n_W[first.axis] = T(first.high ? 1 : -1);",
+                    "result.n_W[first.axis] = T(1);"}},
+       .measure = measure_rays},
+  };
+}
+
+}  // namespace goishi::verify

@@ -1,0 +1,379 @@
+/// DOMAIN: boards of any size and any number of lines, their regions, and rays from anywhere. The witness is the definition
+/// in 50 digits.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <climits>
+#include <goishi/board/ray.hpp>
+#include <set>
+#include <string>
+
+#include "verify/claims/claims.hpp"
+#include "verify/oracles/numbers/multiprecision.hpp"
+#include "verify/samples/domain.hpp"
+#include "verify/suite/ulps.hpp"
+
+namespace goishi::verify {
+
+namespace {
+
+using Digits3 = Vec3<Digits50>;
+
+template <class T>
+Digits50 most() {
+  return Digits50(std::numeric_limits<T>::max());
+}
+
+int mode_of(int i) {
+  return rounding_modes[static_cast<std::size_t>(i / 7) % rounding_modes.size()];
+}
+
+template <class T>
+BoardDimensions<T> draw_dimensions(Context& context, int i) {
+  constexpr std::array lines = {1, 2, 3, 9, 13, 19, INT_MAX - 1, INT_MAX};
+  const double reach = size_reach<T>;
+  const auto size = [&](bool may_vanish) {
+    return may_vanish && context.uniform(0.0, 1.0) < 0.3 ? T(0) : any_size<T>(context.random(), reach);
+  };
+  BoardDimensions<T> d{.lines = lines[static_cast<std::size_t>(i) % lines.size()],
+                       .spacing_x = size(false),
+                       .spacing_y = size(false),
+                       .border_x = size(true),
+                       .border_y = size(true),
+                       .thickness = size(false),
+                       .legs = size(true)};
+  if (i % 9 == 4) {
+    d.spacing_x = d.spacing_y = std::numeric_limits<T>::denorm_min() * T(3);
+  }
+  const T huge = std::numeric_limits<T>::max() * static_cast<T>(context.uniform(0.1, 1.0));
+  if (i % 40 == 7) {
+    d.thickness = d.legs = huge;
+  } else if (i % 40 == 17) {
+    d.spacing_y = huge;
+  } else if (i % 40 == 27) {
+    d.border_x = huge;
+  }
+  return d;
+}
+
+template <class T>
+std::string describe(const BoardDimensions<T>& d, int mode) {
+  return fmt::format("{} lines of {:a} × {:a}, borders {:a}, {:a}, thickness {:a}, legs {:a}, mode {}", d.lines,
+                     d.spacing_x, d.spacing_y, d.border_x, d.border_y, d.thickness, d.legs, mode);
+}
+
+/// As go players list them, a … s.
+std::set<std::pair<int, int>> listed_stars(int lines) {
+  const std::string list = lines == 19   ? "dd dj dp jd jj jp pd pj pp"
+                           : lines == 13 ? "dd dj gg jd jj"
+                           : lines == 9  ? "cc cg ee gc gg"
+                                         : "";
+  std::set<std::pair<int, int>> all;
+  for (std::size_t k = 0; k < list.size(); k += 3) {
+    all.emplace(list[k] - 'a', list[k + 1] - 'a');
+  }
+  if (list.empty() && lines % 2 == 1) {
+    all.emplace(lines / 2, lines / 2);
+  }
+  return all;
+}
+
+/// The regions' names, put together.
+std::string region_at(int x, int y) {
+  const std::string across = x < 0 ? "left" : "right", along = y < 0 ? "bottom" : "top";
+  return x == 0 && y == 0 ? "primary"
+         : x == 0         ? along + " side"
+         : y == 0         ? across + " side"
+                          : along + "-" + across + " corner";
+}
+
+template <class T>
+void see_regions(Context& context, Worst& worst, const Board<T>& board, int i) {
+  const T reach = i % 5 == 0   ? T(0)
+                  : i % 5 == 1 ? board.half_width
+                               : any_size<T>(context.random(), i % 2 == 0 ? 1.0 : size_reach<T>) * board.half_width;
+  const int mode = mode_of(i);
+  const auto place = [&](const T& half, int kind) {
+    const T sign = context.uniform(-1.0, 1.0) < 0.0 ? T(-1) : T(1);
+    const std::array<T, 7> all = {T(0),
+                                  half,
+                                  half + reach,
+                                  half - reach,
+                                  half * static_cast<T>(context.uniform(0.0, 1.0)),
+                                  half + reach * static_cast<T>(context.uniform(-1.1, 1.1)),
+                                  any_size<T>(context.random(), size_reach<T>)};
+    return T(sign * all[static_cast<std::size_t>(kind) % all.size()]);
+  };
+  const Vec3<T> p(place(board.half_width, i), place(board.half_length, i / 7),
+                  i % 4 == 0 ? reach : place(reach, i / 3));
+  const auto describe_it = [&] {
+    return fmt::format("board {:a} × {:a}, p = ({:a}, {:a}, {:a}), reach {:a}, mode {}", board.half_width,
+                       board.half_length, p.x(), p.y(), p.z(), reach, mode);
+  };
+  const T sum = p.x() + p.y() + p.z();
+  const auto answer = answer_of(mode, [&] { return region_of(board, p, reach); });
+  if (!std::isfinite(reach) || !std::isfinite(sum)) {
+    worst.see(answer && mode == FE_TONEAREST ? NAN : 0.0, [&] { return "taken: " + describe_it(); });
+    return;
+  }
+  bool close = false, beyond = p.z() > reach;
+  const auto side = [&](const T& at, const T& half) {
+    const Digits50 x = abs(Digits50(at)), h(half), r(reach);
+    const Digits50 round_off = 2 * Digits50(epsilon_in<T>) * (h + r) + Digits50(std::numeric_limits<T>::denorm_min());
+    close = close || abs(x - (h + r)) <= round_off || abs(x - (h - r)) <= round_off;
+    beyond = beyond || x > h + r;
+    return x > h - r ? (at < T(0) ? -1 : 1) : 0;
+  };
+  const int x = side(p.x(), board.half_width), y = side(p.y(), board.half_length);
+  const std::string expected = beyond ? "out of reach" : region_at(x, y);
+  worst.see(!answer                                   ? NAN
+            : close || to_string(*answer) == expected ? 0.0
+                                                      : NAN,
+            [&] { return fmt::format("not {}: {}", expected, describe_it()); });
+}
+
+template <class T>
+void see_boards(Context& context, Worst& worst, int count) {
+  for (int i = 0; i < count; ++i) {
+    const BoardDimensions<T> d = draw_dimensions<T>(context, i);
+    const int mode = mode_of(i);
+    const auto describe_it = [&] { return describe(d, mode); };
+    const Digits50 width = Digits50(d.lines - 1) * Digits50(d.spacing_x),
+                   length = Digits50(d.lines - 1) * Digits50(d.spacing_y);
+    const Digits50 half_width = width / 2 + Digits50(d.border_x), half_length = length / 2 + Digits50(d.border_y);
+    const Digits50 height = Digits50(d.thickness) + Digits50(d.legs);
+    const auto board = answer_of(FE_TONEAREST, [&] { return make_board(d); });
+    const auto rounded = answer_of(mode, [&] { return make_board(d); });
+    const Digits50 greatest = std::max({width, length, half_width, half_length, height});
+    const bool one_line = d.lines == 1 && (!(T(0) < d.border_x) || !(T(0) < d.border_y));
+    if (!board || !rounded || one_line || !(half_width < most<T>()) || !(half_length < most<T>()) ||
+        !(height < most<T>())) {
+      worst.see(!board && (one_line || greatest > most<T>() * Digits50(0.999)) ? 0.0 : NAN,
+                [&] { return (board ? "taken: " : "refused: ") + describe_it(); });
+      continue;
+    }
+    worst.see(ulps<T>(context.produced(rounded->half_width), half_width), describe_it);
+    worst.see(ulps<T>(context.produced(rounded->half_length), half_length), describe_it);
+    worst.see(ulps<T>(context.produced(rounded->floor), Digits50(-height)), describe_it);
+    // The ends, the middle, any.
+    const std::array<int, 4> places = {0, d.lines - 1, (d.lines - 1) / 2,
+                                       static_cast<int>(context.uniform(0.0, 0.999) * d.lines)};
+    const int k = places[static_cast<std::size_t>(i) % 4], m = places[static_cast<std::size_t>(i / 4) % 4];
+    const auto at = answer_of(mode, [&] { return intersection(*board, k, m); });
+    const auto see_place = [&](const T& computed, int line, const T& spacing) {
+      const Digits50 exact = (Digits50(line) - Digits50(d.lines - 1) / 2) * Digits50(spacing);
+      worst.see(ulps<T>(context.produced(computed), exact),
+                [&] { return fmt::format("line {}: {}", line, describe_it()); });
+    };
+    see_place(at ? at->x() : T(NAN), k, d.spacing_x);
+    see_place(at ? at->y() : T(NAN), m, d.spacing_y);
+    worst.see(at && !(T(0) < at->z()) && !(at->z() < T(0)) ? 0.0 : NAN, describe_it);
+    const auto none = answer_of(mode, [&] { return intersection(*board, k, i % 2 == 0 ? -1 : d.lines); });
+    worst.see(none ? NAN : 0.0, [&] { return "a line that is none: " + describe_it(); });
+    const auto stars = star_points(*board);
+    const bool right = std::set<std::pair<int, int>>(stars.begin(), stars.end()) == listed_stars(d.lines) &&
+                       stars.size() == listed_stars(d.lines).size();
+    worst.see(right ? 0.0 : NAN, [&] { return "star points: " + describe_it(); });
+    see_regions(context, worst, *board, i);
+  }
+  const T nan = std::numeric_limits<T>::quiet_NaN(), infinite = std::numeric_limits<T>::infinity();
+  const Board<T> board = make_board<T>(), unset;
+  const Vec3<T> here(T(0), T(0), T(0));
+  const auto refused = [&](const char* name, const Board<T>& of, const Vec3<T>& p, const T& reach) {
+    worst.see(answer_of(FE_TONEAREST, [&] { return region_of(of, p, reach); }) ? NAN : 0.0,
+              [&] { return std::string("taken: ") + name; });
+  };
+  refused("no position", board, Vec3<T>(nan, T(0), T(0)), T(1));
+  refused("no height", board, Vec3<T>(T(0), T(0), nan), T(1));
+  refused("infinitely far", board, Vec3<T>(T(0), -infinite, T(0)), T(1));
+  refused("no reach", board, here, nan);
+  refused("a negative reach", board, here, T(-1));
+  refused("no board", unset, here, T(1));
+}
+
+Measurement measure_boards(Context& context) {
+  Worst worst;
+  see_boards<double>(context, worst, context.samples(2000, 20'000));
+  see_boards<float>(context, worst, context.samples(2000, 20'000));
+  return worst.measurement();
+}
+
+// --- rays
+
+/// Of any size, and as oblong as it comes; one in eight nearly as great as T holds.
+template <class T>
+Board<T> draw_any_board(Context& context, int i) {
+  const T size = i % 8 == 5   ? std::numeric_limits<T>::max() / T(16)
+                 : i % 8 == 6 ? std::numeric_limits<T>::denorm_min() * T(1000)
+                              : any_size<T>(context.random(), size_reach<T>);
+  const auto part = [&] { return T(size * any_size<T>(context.random(), i % 3 == 0 && i % 8 != 5 ? 2.0 : 0.5)); };
+  return make_board<T>({.lines = 2,
+                        .spacing_x = size,
+                        .spacing_y = size,
+                        .border_x = part(),
+                        .border_y = part(),
+                        .thickness = std::max(part(), size / T(64)),
+                        .legs = T(0)});
+}
+
+/// Where the line meets the six faces, exactly: entry > exit where it passes.
+struct Slab {
+  Digits50 entry, exit;
+};
+
+template <class T>
+Slab exact_slab(const Digits3& low, const Digits3& high, const Vec3<T>& p, const Vec3<T>& u) {
+  const Digits50 never = pow(Digits50(10), 1000);
+  Slab slab{-never, never};
+  for (int k = 0; k < 3; ++k) {
+    const Digits50 at(p[k]), along(u[k]);
+    if (along == 0) {
+      if (at < low[k] || at > high[k]) {
+        return {Digits50(1), Digits50(-1)};
+      }
+      continue;
+    }
+    const Digits50 one = (low[k] - at) / along, other = (high[k] - at) / along;
+    slab.entry = std::max(slab.entry, std::min(one, other));
+    slab.exit = std::min(slab.exit, std::max(one, other));
+  }
+  return slab;
+}
+
+template <class T>
+Digits50 ulp_at(const Digits50& x) {
+  return std::max(Digits50(abs(x) * Digits50(epsilon_in<T>)), Digits50(std::numeric_limits<T>::denorm_min()));
+}
+
+/// How far off a hit is, in ulps; NaN where it says what is not so.
+template <class T>
+double hit_error(const Context& context, const BoardRayHit<T>& hit, const Slab& slab, const Digits3& low,
+                 const Digits3& high, const Vec3<T>& p, const Vec3<T>& u) {
+  const auto off = [&](const T& computed, const Digits50& exact) {
+    return static_cast<double>(Digits50(abs(Digits50(context.produced(computed)) - exact) / ulp_at<T>(exact)));
+  };
+  double error = std::max(off(hit.entry, slab.entry), off(hit.exit, slab.exit));
+  if (hit.forward != !(hit.exit < T(0))) {
+    return NAN;
+  }
+  if (!hit.forward) {
+    return error;
+  }
+  const T t = hit.entry < T(0) ? hit.exit : hit.entry;
+  const int face = static_cast<int>(hit.face), axis = face < 2 ? 2 : (face - 2) / 2;
+  const bool upper = face == 0 || face == 3 || face == 5;
+  const Digits50 of_face = upper ? high[axis] : low[axis];
+  const Vec3<T> n = T(upper ? 1 : -1) * Vec3<T>::Unit(axis);
+  if (!(hit.first <= t && t <= hit.first) || hit.n_W != n || Digits50(hit.p_W[axis]) != of_face) {
+    return NAN;
+  }
+  for (int k = 0; k < 3; ++k) {
+    const Digits50 way = Digits50(t) * Digits50(u[k]);
+    const Digits50 unit = ulp_at<T>(Digits50(abs(Digits50(p[k])) + abs(way)));
+    error = std::max(error, static_cast<double>(Digits50(abs(Digits50(hit.p_W[k]) - Digits50(p[k]) - way) / unit)));
+  }
+  return error;
+}
+
+template <class T>
+void see_rays(Context& context, Worst& worst, int count) {
+  for (int i = 0; i < count; ++i) {
+    const Board<T> board = draw_any_board<T>(context, i);
+    const Vec3<T> size(board.half_width, board.half_length, board.thickness);
+    const Vec3<T> u = draw_defective_direction<T>(context, i / 2);
+    const auto part = [&](double lowest, double highest) {
+      return i % 3 == 0 ? static_cast<T>(std::round(context.uniform(lowest, highest)))  // on a face, to the bit
+                        : static_cast<T>(context.uniform(1.2 * lowest, 1.2 * highest));
+    };
+    const Vec3<T> near(size.x() * part(-1.0, 1.0), size.y() * part(-1.0, 1.0), size.z() * part(-1.0, 0.0));
+    const T away = i % 5 == 0   ? T(0)
+                   : i % 5 == 1 ? any_size<T>(context.random(), size_reach<T>)
+                                : size.x() * any_size<T>(context.random(), 2.0);
+    const Vec3<T> p = near - away * (i % 7 == 0 ? Vec3<T>(-u) : u);
+    const int mode = mode_of(i);
+    const auto describe_it = [&] {
+      return fmt::format("board {:a} × {:a} × {:a}, p = ({:a}, {:a}, {:a}), u = ({:a}, {:a}, {:a}), mode {}", size.x(),
+                         size.y(), size.z(), p.x(), p.y(), p.z(), u.x(), u.y(), u.z(), mode);
+    };
+    const auto answer = answer_of(mode, [&] { return cast_ray(board, p, u); });
+    const Digits3 low(Digits50(-size.x()), Digits50(-size.y()), Digits50(-size.z())),
+        high(Digits50(size.x()), Digits50(size.y()), Digits50(0));
+    const T sum = p.x() + p.y() + p.z();
+    const Slab slab = exact_slab<T>(low, high, p, u);
+    const Digits50 farthest = std::max(abs(slab.entry), abs(slab.exit));
+    const bool meets = slab.entry <= slab.exit;
+    if (!std::isfinite(sum) || farthest > most<T>() * Digits50(0.999)) {
+      const bool wrong = answer && answer->hit && mode == FE_TONEAREST && (!std::isfinite(sum) || farthest > most<T>());
+      worst.see(wrong ? NAN : 0.0, [&] { return "taken: " + describe_it(); });
+    } else if (!answer) {
+      worst.see(NAN, [&] { return "refused: " + describe_it(); });
+    } else if (answer->hit != meets) {
+      const Digits50 apart = abs(slab.exit - slab.entry) / ulp_at<T>(farthest);
+      worst.see(apart < 1e6 ? static_cast<double>(apart) : NAN,
+                [&] { return (meets ? "passes: " : "meets: ") + describe_it(); });
+    } else if (meets) {
+      worst.see(hit_error(context, *answer, slab, low, high, p, u), describe_it);
+    } else {
+      worst.see(0.0, describe_it);
+    }
+  }
+  const Vec3<T> above(T(0), T(0), T(1)), down(T(0), T(0), T(-1));
+  worst.see(answer_of(FE_TONEAREST, [&] { return cast_ray(Board<T>{}, above, down); }) ? NAN : 0.0,
+            [] { return "taken: no board"; });
+  const T huge = std::numeric_limits<T>::max() * T(0.9);
+  const Board<T> wide = make_board<T>({.lines = 1, .border_x = huge});
+  const auto across = [&] { return cast_ray(wide, Vec3<T>(-huge, T(0), T(0)), Vec3<T>(T(1), T(0), T(0))); };
+  worst.see(answer_of(FE_TONEAREST, across) ? NAN : 0.0, [] { return "taken: an exit that overflows"; });
+}
+
+Measurement measure_rays(Context& context) {
+  Worst worst;
+  see_rays<double>(context, worst, context.samples(3000, 30'000));
+  see_rays<float>(context, worst, context.samples(3000, 30'000));
+  return worst.measurement();
+}
+
+}  // namespace
+
+std::vector<Claim> domain_board_claims() {
+  return {
+      {.id = "DOMAIN-9",
+       .statement =
+           "Boards of any size with 1 to 2³¹ − 1 lines, in each rounding mode: sides, floor and intersections are "
+           "right, star points as listed, regions right but for round-off at their borders; what overflows or is "
+           "no board, no place, no line is refused.",
+       .function = "make_board, intersection, star_points, region_of",
+       .family = OracleFamily::other_formula,
+       .oracle = "the definitions in 50 digits; the star points as go players list them",
+       .checks = {{.unit = "ulp",
+                   .bound = 4.0,
+                   .reason = "a number of lines, a product and a sum, each rounded by less than one ulp",
+                   .resolution = 0.5}},
+       .mutants = {{"board/board.hpp", "reach < p_W.z()", "reach <= p_W.z()"},
+                   {"board/board.hpp", "scalar::is_finite(height)", "true"},
+                   {"board/board.hpp", "T(0) <= reach && scalar::is_finite(reach)", "true"},
+                   {"board/board.hpp", "const int corner = n == 9 ? 2 : 3;", "const int corner = 3;"}},
+       .measure = measure_boards},
+      {.id = "DOMAIN-10",
+       .statement =
+           "Rays at boards of any size, from any distance, along axes to the bit, with components next to nothing, "
+           "with |u|² off by ± 60 ε, from faces, edges and corners, in each rounding mode: entry, exit and the hit "
+           "are right, or refused where T cannot hold them.",
+       .function = "cast_ray (board)",
+       .family = OracleFamily::other_formula,
+       .oracle = "entry and exit of the six faces in 50 digits",
+       .checks = {{.unit = "ulp",
+                   .bound = 4.0,
+                   .reason =
+                       "a difference and a quotient, each rounded by less than one ulp of what may be half as great",
+                   .resolution = 1.0}},
+       .mutants = {{"board/ray.hpp", "scalar::is_finite(entry.t) && scalar::is_finite(exit.t)", "true"},
+                   {"board/ray.hpp", "!(u_W[i] < T(0)) && !(T(0) < u_W[i])",
+                    "!(u_W[i] < -std::numeric_limits<T>::min()) && !(std::numeric_limits<T>::min() < u_W[i])"},
+                   {"board/ray.hpp", "result.p_W[first.axis] = first.high ? high[first.axis] : low[first.axis];", ""}},
+       .measure = measure_rays},
+  };
+}
+
+}  // namespace goishi::verify
