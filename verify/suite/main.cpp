@@ -13,13 +13,13 @@
 #include <map>
 #include <thread>
 
+#include "verify/bench/command.hpp"
 #include "verify/certify/command.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/oracles/stone/quadrature.hpp"
 #include "verify/report/report.hpp"
 #include "verify/stress/command.hpp"
 #include "verify/suite/run.hpp"
-#include "verify/work_precision/command.hpp"
 
 namespace {
 
