@@ -19,8 +19,8 @@ struct Outcome {
 [[nodiscard]] Outcome certify_table(std::string_view text, bool whole = false);
 
 /// A document for people: the exact results in its sentences, each of which must stand there, and the table below its
-/// marker `<!-- goishi table … -->`, which README.md must have. `file` says which document it is. Measured figures (errors,
-/// times) and what a simulated drop prints cannot be certified and are not looked at.
+/// marker `<!-- goishi table … -->`, which README.md must have. `file` says which document it is. Measured figures
+/// (errors, times) and what a simulated drop prints cannot be certified and are not looked at.
 [[nodiscard]] Outcome certify_document(std::string_view text, const std::filesystem::path& file = "README.md");
 
 }  // namespace goishi::verify::certify
