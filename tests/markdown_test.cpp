@@ -53,7 +53,7 @@ TEST(Markdown, ARowForEachClaimWithItsWeakestCheck) {
   fill_two(sample);
   EXPECT_EQ(claims_table(sample.run),
             "| claim | statement | witness | weakest check | error | bound |\n"
-            "|---|---|---|---|---:|---:|\n"
+            "|---|---|---|---|---:|---|\n"
             "| MASS-1 | The volume is right. | brute force | volume | 1.2 | 4 ulp |\n"
             "| BOARD-1 | No pose \\| of \\*all\\* is \\<b>wrong\\</b>, I_a \\$x\\$. | brute force |  | 0 | 0 ulp |\n");
 }
@@ -76,7 +76,7 @@ TEST(Markdown, ARowForEachFolderInAnOrderOfItsOwn) {
   add(sample, "NEW-1", "new_folder", {check("", 4)}, {2});
   EXPECT_EQ(subjects_table(sample.run),
             "| subject | claims | witnesses | weakest check | error | bound |\n"
-            "|---|---:|---|---|---:|---:|\n"
+            "|---|---:|---|---|---:|---|\n"
             "| Shape: surface, board, rays | 1 | brute force 1 | BOARD-1 | 0 | 0 ulp |\n"
             "| Mass: volume, inertia, table | 1 | brute force 1 | MASS-1: volume | 1.2 | 4 ulp |\n"
             "| new_folder | 1 | brute force 1 | NEW-1 | 2 | 4 ulp |\n");

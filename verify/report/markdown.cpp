@@ -33,10 +33,10 @@ constexpr std::size_t statement_width = 140;
 
 constexpr std::string_view subjects_head =
     "| subject | claims | witnesses | weakest check | error | bound |\n"
-    "|---|---:|---|---|---:|---:|\n";
+    "|---|---:|---|---|---:|---|\n";
 constexpr std::string_view claims_head =
     "| claim | statement | witness | weakest check | error | bound |\n"
-    "|---|---|---|---|---:|---:|\n";
+    "|---|---|---|---|---:|---|\n";
 
 /// Text in a cell: one line, and no character of it is markup.
 std::string cell(std::string_view text) {
