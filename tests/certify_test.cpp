@@ -175,7 +175,7 @@ TEST(ReadTable, TheMarkersBevelMayHaveAUnit) {
 }
 
 TEST(Sentences, AreFoundAndJudged) {
-  const std::vector<Sentence> sentences = {{"diag({}, {})", {Ball(1) / Ball(3), Ball(2) / Ball(3)}}};
+  const std::vector<Sentence> sentences = {{"README.md", "diag({}, {})", {Ball(1) / Ball(3), Ball(2) / Ball(3)}}};
   const auto judged = [&](const char* text) {
     Outcome outcome;
     judge_sentences(text, sentences, outcome);
@@ -185,6 +185,20 @@ TEST(Sentences, AreFoundAndJudged) {
   EXPECT_TRUE(judged("diag(x) and then diag(0.33, 0.667)").faults.empty());
   EXPECT_EQ(judged("It is diag(0.33, 0.666).").faults.size(), 1U);
   EXPECT_EQ(judged("It is diag(0.33; 0.667).").faults.size(), 1U);
+}
+
+TEST(Sentences, BelongToADocument) {
+  EXPECT_EQ(document_of("/any/where/README.md"), "README.md");
+  EXPECT_EQ(document_of("/any/where/src/goishi/README.md"), "src/goishi/README.md");
+  EXPECT_EQ(document_of("/any/verify/../verify/claims/published/README.md"), "verify/claims/published/README.md");
+  EXPECT_EQ(document_of("-"), "README.md");
+  for (const std::string_view document : documents) {
+    EXPECT_FALSE(exact_results(document).empty()) << document;
+    Outcome nothing_there;
+    judge_sentences("", exact_results(document), nothing_there);
+    EXPECT_EQ(nothing_there.faults.size(), exact_results(document).size()) << document;
+  }
+  EXPECT_TRUE(exact_results("other.md").empty());
 }
 
 TEST(SettlingTilt, BelowTheThresholdNothingRises) {

@@ -205,10 +205,10 @@ TEST(ReportHtml, ShowsEverything) {
     EXPECT_EQ(count(text, "id=\"" + id + "\""), 1U) << id;
     EXPECT_TRUE(contains(text, "href=\"#" + id + "\"")) << id;
   }
-  for (const char* part : {"a processor, 2 threads", "a system", "0123456789abcdef-dirty", "2025-05-04T10:11:12Z",
-                           "18446744073709551615", "12.3 s", "derived from six roundings", "brute force",
-                           "1.8505405 cm³", "<del>a + b</del>", "<ins>a - b</ins>", "12\u202F345", "not a number",
-                           "data-series=\"sharp\" data-points=\"3\"", "&lt;&amp;&gt;&quot;&#39;"}) {
+  for (const char* part :
+       {"a processor, 2 threads", "a system", "0123456789abcdef-dirty", "2025-05-04T10:11:12Z", "18446744073709551615",
+        "12.3 s", "derived from six roundings", "brute force", "1.8505405 cm³", "<del>a + b</del>", "<ins>a - b</ins>",
+        "12\u202F345", "not a number", "data-series=\"sharp\" data-points=\"3\"", "&lt;&amp;&gt;&quot;&#39;"}) {
     EXPECT_TRUE(contains(text, part)) << part;
   }
   EXPECT_FALSE(contains(text, "derivations"));

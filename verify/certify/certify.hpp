@@ -2,6 +2,7 @@
 /// \file
 /// Judges printed numbers: each is the correctly rounded decimal of an enclosure, or a fault.
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,9 +18,9 @@ struct Outcome {
 /// that occurs has all sizes. In a `whole` table white and black, sharp and with b = 1 mm, must all occur.
 [[nodiscard]] Outcome certify_table(std::string_view text, bool whole = false);
 
-/// A document for people: the table below its marker `<!-- goishi table … -->`, and the exact results in its sentences,
-/// each of which must stand there. Measured figures (errors, times) and what a simulated drop prints cannot be
-/// certified and are not looked at.
-[[nodiscard]] Outcome certify_document(std::string_view text);
+/// A document for people: the exact results in its sentences, each of which must stand there, and the table below its
+/// marker `<!-- goishi table … -->`, which README.md must have. `file` says which document it is. Measured figures
+/// (errors, times) and what a simulated drop prints cannot be certified and are not looked at.
+[[nodiscard]] Outcome certify_document(std::string_view text, const std::filesystem::path& file = "README.md");
 
 }  // namespace goishi::verify::certify

@@ -56,8 +56,10 @@ CLI::App* define_certify(CLI::App& app, Options& options) {
                    "what goishi table printed, with the catalogue's densities, in any format; -: standard input")
       ->type_name("FILE");
   certify
-      ->add_option("--document", options.documents,
-                   "a README: the table below its marker, and the exact results in its sentences")
+      ->add_option(
+          "--document", options.documents,
+          "a README of the source tree, by its path: the exact results in its sentences; of the README at the top, "
+          "also the table below its marker")
       ->type_name("FILE")
       ->allow_extra_args(false);
   certify->add_flag("--whole", options.whole,
@@ -78,7 +80,7 @@ bool run_certify_command(const Options& options) {
     all = judge_file(file, [&](std::string_view text) { return certify_table(text, options.whole); }) && all;
   }
   for (const std::string& file : options.documents) {
-    all = judge_file(file, certify_document) && all;
+    all = judge_file(file, [&](std::string_view text) { return certify_document(text, file); }) && all;
   }
   return all;
 }

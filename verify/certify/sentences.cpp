@@ -68,7 +68,14 @@ Ball value_of(const StoneWitness& stone, std::string_view key) {
 
 }  // namespace
 
-std::vector<Sentence> exact_results() {
+std::string_view document_of(const std::filesystem::path& file) {
+  const std::string path = std::filesystem::absolute(file).lexically_normal().generic_string();
+  const auto found =
+      std::ranges::find_if(documents, [&](std::string_view name) { return path.ends_with("/" + std::string(name)); });
+  return found == documents.end() ? documents.back() : *found;
+}
+
+std::vector<Sentence> exact_results(std::string_view document) {
   const CatalogueStone size_33 = catalogue_stone(33, StoneColor::white);
   const StoneWitness sharp = witness_of(size_33, 0);
   const StoneWitness bevelled = witness_of(size_33, catalogue::table_bevel);
@@ -83,22 +90,40 @@ std::vector<Sentence> exact_results() {
   const Meridian lens = lens_meridian(w, h);
   const PublishedBevel<Ball> published(lens.sphere_radius, lens.sphere_offset, b);
   const SpinningCap<Ball> spinning = spinning_cap(size_33, decimal("9.80665"));
-  return {{"The white stone of size 33, bevel 0.001 m, dropped on the board mass {} kg (density assumed)",
-           {value_of(bevelled, "mass")}},
-          {"right is diag({}, {}, {})", {transverse, axial, transverse}},
-          {"Both prints are {} % low", {percent_low("0.304776", axial)}},
-          {"Both prints are {} % low", {percent_low("0.177721", transverse)}},
-          {"Both prints are {} % low", {percent_low("0.303588", axial)}},
-          {"a minor radius of {} mm where {} mm touches",
-           {Ball(1000) * published.minor_radius, Ball(1000) * bevelled_meridian(w, h, b).tube_radius}},
-          {"threshold, {} rad/s; settling tilts from 30, 40 and 60 rad/s: {}°, {}°, {}°",
-           {spinning.threshold(), settling_tilt(spinning, Ball(30)), settling_tilt(spinning, Ball(40)),
-            settling_tilt(spinning, Ball(60))}}};
+  const std::string published_page(documents[0]), guide(documents[1]), readme(documents[2]);
+  const Sentence right{"", "right is diag({}, {}, {})", {transverse, axial, transverse}};
+  const Sentence minor_radius{
+      "",
+      "a minor radius of {} mm where {} mm touches",
+      {Ball(1000) * published.minor_radius, Ball(1000) * bevelled_meridian(w, h, b).tube_radius}};
+  const auto in = [](const std::string& file, Sentence sentence) {
+    sentence.document = file;
+    return sentence;
+  };
+  std::vector<Sentence> all = {
+      in(readme, right),
+      in(readme, minor_radius),
+      in(published_page, right),
+      in(published_page, minor_radius),
+      {published_page, "Both prints are {} % low", {percent_low("0.304776", axial)}},
+      {published_page, "Both prints are {} % low", {percent_low("0.177721", transverse)}},
+      {published_page, "Both prints are {} % low", {percent_low("0.303588", axial)}},
+      {guide,
+       "The white stone of size 33, bevel 0.001 m, dropped on the board mass {} kg (density assumed)",
+       {value_of(bevelled, "mass")}},
+      {guide,
+       "threshold, {} rad/s; settling tilts from 30, 40 and 60 rad/s: {}°, {}°, {}°",
+       {spinning.threshold(), settling_tilt(spinning, Ball(30)), settling_tilt(spinning, Ball(40)),
+        settling_tilt(spinning, Ball(60))}}};
+  std::erase_if(all, [&](const Sentence& sentence) { return sentence.document != document; });
+  return all;
 }
 
 void judge_sentences(std::string_view document, const std::vector<Sentence>& sentences, Outcome& outcome) {
   const std::string text = in_one_line(document);
-  for (const auto& [pattern, exact] : sentences) {
+  for (const Sentence& sentence : sentences) {
+    const std::string& pattern = sentence.pattern;
+    const std::vector<Ball>& exact = sentence.exact;
     const auto numbers = find_numbers(text, words_of(pattern));
     if (!numbers || numbers->size() != exact.size()) {
       outcome.faults.push_back(fmt::format("the sentence \"{}\" is not there", pattern));

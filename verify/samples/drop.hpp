@@ -8,13 +8,13 @@
 #include <limits>
 #include <numbers>
 
+#include "compiled/drop.hpp"
 #include "verify/oracles/contact/wobble.hpp"
 #include "verify/oracles/drop/spin.hpp"
 #include "verify/oracles/stone/geometry.hpp"
 #include "verify/oracles/stone/profile.hpp"
 #include "verify/samples/stone.hpp"
 #include "verify/suite/claim.hpp"
-#include "compiled/drop.hpp"
 
 namespace goishi::verify {
 

@@ -17,6 +17,7 @@
 #include "verify/certify/command.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/oracles/stone/quadrature.hpp"
+#include "verify/report/markdown.hpp"
 #include "verify/report/report.hpp"
 #include "verify/stress/command.hpp"
 #include "verify/suite/run.hpp"
@@ -41,6 +42,8 @@ struct Options {
   std::string json_file;
   std::string junit_file;
   bool no_bench = false;
+  std::string write_tables;
+  std::string check_tables;
 };
 
 void define(CLI::App& app, Options& options) {
@@ -72,11 +75,22 @@ void define(CLI::App& app, Options& options) {
   app.add_option("--json", options.json_file, "write the report as JSON")->type_name("FILE");
   app.add_option("--junit", options.junit_file, "write the report as JUnit XML")->type_name("FILE");
   app.add_flag("--no-bench", options.no_bench, "leave run time against error out of the full report");
-  for (const char* const one : {"--list", "--mutants", "--seed", "--report", "--json", "--junit"}) {
+  CLI::Option* const write =
+      app.add_option("--write-tables", options.write_tables,
+                     "write the tables of this run into README.md and verify/README.md of the source tree in DIR; only "
+                     "of all claims, in the full tier, with seed 1, and if all hold")
+          ->type_name("DIR");
+  app.add_option("--check-tables", options.check_tables,
+                 "compare them with this run, likewise: text and bounds must be the same, an error may differ by a "
+                 "factor of 1.5")
+      ->excludes(write)
+      ->type_name("DIR");
+  for (const char* const one :
+       {"--list", "--mutants", "--seed", "--report", "--json", "--junit", "--write-tables", "--check-tables"}) {
     app.get_option("--seeds")->excludes(app.get_option(one));  // they are of one run
   }
   app.footer(
-      "Exit status: 0 all claims hold, 1 a claim failed, 2 bad usage.\n"
+      "Exit status: 0 all claims hold, 1 a claim failed or a table differs, 2 bad usage.\n"
       "Example: goishi-verify --tier full --filter 'GSL-*,MASS-*' --report build/report");
 }
 
@@ -105,6 +119,40 @@ void show_progress(std::size_t finished, std::size_t total) {
     fmt::print(stderr, "\r\033[K{}", finished < total ? fmt::format("{} of {} measured …", finished, total) : "");
     std::fflush(stderr);
   }
+}
+
+/// The tables are of all claims; with another seed, an error may be any within its bound.
+void require_whole_run(const Options& options) {
+  const std::string& root = options.write_tables.empty() ? options.check_tables : options.write_tables;
+  if (root.empty()) {
+    return;
+  }
+  goishi::require(options.tier == "full", "tier", options.tier, "must be full where tables are written or compared");
+  goishi::require(options.filter == "*", "filter", options.filter, "must be * where tables are written or compared");
+  goishi::require(options.seed == 1, "seed", options.seed, "must be 1 where tables are written or compared");
+  markdown::require_parts(root);
+}
+
+/// Whether the tables are as asked.
+bool settle_tables(const Run& run, const Options& options) {
+  if (!options.write_tables.empty()) {
+    if (run.failures() > 0) {
+      fmt::print("The tables are not written, since not all claims hold.\n");
+      return false;
+    }
+    markdown::write_tables(run, options.write_tables);
+  }
+  if (options.check_tables.empty()) {
+    return true;
+  }
+  const std::vector<std::string> differences = markdown::table_differences(run, options.check_tables);
+  for (const std::string& difference : differences) {
+    fmt::print("FAILS  {}\n", difference);
+  }
+  if (!differences.empty()) {
+    fmt::print("Where the run is right: goishi-verify --tier full --write-tables {}\n", options.check_tables);
+  }
+  return differences.empty();
 }
 
 /// Bad usage is better said before the claims are measured than after.
@@ -198,6 +246,7 @@ int verify(const Options& options) {
     return all_hold;
   }
   require_folders(options);
+  require_whole_run(options);
   silence_gsl();
   const Tier tier = options.tier == "full" ? Tier::full : Tier::quick;
   if (!options.seeds.empty()) {
@@ -219,11 +268,12 @@ int verify(const Options& options) {
   if (!options.junit_file.empty()) {
     write_file(options.junit_file, junit_report(run));
   }
+  const bool as_in_tables = settle_tables(run, options);
   if (run.hangs) {
     std::fflush(nullptr);
     std::_Exit(claim_failed);
   }
-  return run.failures() == 0 ? all_hold : claim_failed;
+  return run.failures() == 0 && as_in_tables ? all_hold : claim_failed;
 }
 
 }  // namespace
