@@ -109,17 +109,13 @@ void add_point_bars(const Race& race, const PointBar& wanted, const Curve& curve
   }
 }
 
-/// "1e-5 m, 1e-4 rad".
-template <class ValueOf>
-std::string targets_text(const Race& race, const std::vector<Target>& targets, ValueOf&& value_of_target) {
+/// "1e-5 m, 1e-4 rad": what is wanted, or what a point has in its place.
+std::string targets_text(const Race& race, const std::vector<Target>& targets, const Point* point = nullptr) {
   std::vector<std::string> values;
-  for (const Target& target : targets) {
-    values.push_back(value_text(race.quantities[target.quantity], value_of_target(target)));
+  for (const auto& [quantity, value] : targets) {
+    values.push_back(value_text(race.quantities[quantity], point == nullptr ? value : point->values[quantity]));
   }
   return fmt::format("{}", fmt::join(values, ", "));
-}
-std::string targets_text(const Race& race, const std::vector<Target>& targets) {
-  return targets_text(race, targets, [](const Target& target) { return target.value; });
 }
 
 struct Compared {
@@ -143,8 +139,7 @@ Compared compared_at(const Race& race, const Curve& ours, const Curve& other, co
   if (best == nullptr) {
     return {"completed no run", true};
   }
-  return {fmt::format("not reached: {} after {} times the run time",
-                      targets_text(race, targets, [&](const Target& target) { return best->values[target.quantity]; }),
+  return {fmt::format("not reached: {} after {} times the run time", targets_text(race, targets, best),
                       plain_number(best->cost.median / mine->time)),
           true};
 }

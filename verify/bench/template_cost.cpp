@@ -1,5 +1,5 @@
-/// Two functions that do the same, for `template_cost` to count instructions in: the shipped templates at T = double, and what one
-/// would write by hand in double.
+/// Two functions that do the same, for `template_cost` to count instructions in: the shipped templates at T = double,
+/// and what one would write by hand in double.
 
 #include <goishi/mass/inertia.hpp>
 #include <numbers>

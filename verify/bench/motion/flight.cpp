@@ -112,7 +112,7 @@ std::vector<double> judge_first(const Stones& stones, const Thrown& thrown) {
     place = std::max(place, (a.p_WB - b.p_WB).norm());
     attitude = std::max(attitude, 2 * (a.q_WB.coeffs() - b.q_WB.coeffs()).norm());
   }
-  return {place, attitude};
+  return {attitude, place};
 }
 
 template <class Stones>
@@ -141,7 +141,7 @@ Race prepare(const Effort& /*any*/) {
                               "cache. The batch for this machine {}.",
                               batch),
           .cost = "run time of a stone",
-          .quantities = {{"greatest difference", "m", false}, {"greatest attitude difference", "rad", false}},
+          .quantities = {{"greatest attitude difference", "rad", false}, {"greatest difference", "m", false}},
           .curves = {curve_of<OneByOne<double>>("one-by-one", "one by one"),
                      curve_of<Native>("batch", "batch for this machine", can_run_native()),
                      curve_of<Portable<double>>("batch-portable", "batch as the program"),
