@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/oracles/numbers/multiprecision.hpp"
 #include "verify/oracles/numbers/ordered_ball.hpp"
@@ -218,7 +219,7 @@ Ball around(const Digits50& value) {
 constexpr int kinds = 3;
 
 Measurement measure_containment(Context& context) {
-  Worst worst;
+  Checks checks;
   std::set<std::string> choices;
   std::vector<Question> questions = plain_questions();
   for (int i = 0; i < context.samples(120, 250); ++i) {
@@ -226,21 +227,22 @@ Measurement measure_containment(Context& context) {
   }
   for (const Question& question : questions) {
     const auto outcomes = every_outcome([&] { return Asker<OrderedBall>(question).ask(); });
-    worst.see(outcomes.size() == 1 ? 0.0 : 1.0, [&] { return "a choice not proved, " + describe(question.shape); });
+    see_choice(checks["choices"], outcomes.size() == 1, [&] { return "not proved, " + describe(question.shape); });
     const auto numbers = Asker<Digits50>(question).ask();
     const auto& balls = outcomes.front();
     for (std::size_t k = 0; k < numbers.values.size(); ++k) {
       const Ball& enclosure = balls.values[k].second.ball();
       const bool met = enclosure.is_finite() && around(context.produced(numbers.values[k].second)).overlaps(enclosure);
-      worst.see(met ? 0.0 : 1.0, [&] { return numbers.values[k].first + ", " + describe(question.shape); });
+      see_choice(checks["enclosures"], met, [&] { return numbers.values[k].first + ", " + describe(question.shape); });
     }
-    worst.see(balls.choices == numbers.choices ? 0.0 : 1.0, [&] { return "choices, " + describe(question.shape); });
+    see_choice(checks["choices"], balls.choices == numbers.choices,
+               [&] { return "others in 50 digits, " + describe(question.shape); });
     choices.insert(balls.choices.begin(), balls.choices.end());
   }
   // Three features in each of support, closest point and gap; two flights.
   const auto missing = static_cast<double>(kinds * 11) - static_cast<double>(choices.size());
-  worst.see(missing, [] { return "choices never made"; });
-  Measurement result = worst.measurement();
+  checks["choices"].see(missing, [] { return "never made"; });
+  Measurement result = checks.measurement();
   result.figures = {{"choices made", fmt::format("{}", choices.size())}};
   return result;
 }
@@ -270,9 +272,9 @@ std::vector<Claim> enclosure_branch_claims() {
        .function = "make_stone, mass_properties, inertia_tensor, support, closest_point, separation, free_flight",
        .family = OracleFamily::rounding,
        .oracle = "Boost.Multiprecision, 50 digits, ± 1e-40 (1 + |x|) for its own roundings",
-       .checks = {{.unit = "enclosures missed, choices not proved or never made",
-                   .bound = 0.0,
-                   .reason = "an enclosure meets the 50-digit value or it does not"}},
+       .checks = {within("enclosures", 0.0, "enclosures missed",
+                         "an enclosure meets the 50-digit value or it does not"),
+                  none("choices", "choices not proved, not the same in 50 digits, or never made")},
        .mutants = {},
        .measure = measure_containment},
       {.id = "ENCLOSURE-4",

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/oracles/numbers/ordered_ball.hpp"
 #include "verify/samples/stone.hpp"
@@ -58,7 +59,7 @@ class Judge {
       const Ball& left = one[i].second.ball();
       const Ball& right = other[i].second.ball();
       const bool met = is_narrow(left) && is_narrow(right) && (Ball(factor_) * left).overlaps(right);
-      worst.see(met ? 0.0 : 1.0, [&] { return fmt::format("{}, {}", one[i].first, where); });
+      see_choice(checks["branches"], met, [&] { return fmt::format("{}, {}", one[i].first, where); });
     }
   }
 
@@ -66,13 +67,13 @@ class Judge {
   template <class F>
   void see_switch(F&& f, const std::string& where) {
     const auto outcomes = every_outcome(f);
-    worst.see(1 < outcomes.size() ? 0.0 : 1.0, [&] { return "no switch: " + where; });
+    see_choice(checks["switches"], 1 < outcomes.size(), [&] { return where; });
     for (std::size_t i = 1; i < outcomes.size(); ++i) {
       see_same(outcomes[0], outcomes[i], where);
     }
   }
 
-  Worst worst;
+  Checks checks;
 
  private:
   double factor_;
@@ -174,7 +175,7 @@ Measurement measure_switches(Context& context) {
       see_vanishing_bevel(judge, w, h, name);
     }
   }
-  return judge.worst.measurement();
+  return judge.checks.measurement();
 }
 
 }  // namespace
@@ -188,11 +189,10 @@ std::vector<Claim> enclosure_switch_claims() {
            "the bevelled formulas, of the measured stone too, meet the sharp ones.",
        .function = "support, surface_gap, closest_point; formula::bevelled_stone, bevelled_volume, "
                    "bevelled_surface_area, bevelled_moments at b = 0",
-       .family = OracleFamily::exact,
+       .family = OracleFamily::relation,
        .oracle = "each branch beside the other",
-       .checks = {{.unit = "branches that do not meet, or no switch",
-                   .bound = 0.0,
-                   .reason = "the functions are continuous there"}},
+       .checks = {within("branches", 0.0, "branches that do not meet", "the functions are continuous there"),
+                  none("switches", "places that are no switch")},
        .mutants = {{"shape/surface.hpp", "stone.height / T(2) + stone.sphere_offset",
                     "stone.height / T(2) + stone.sphere_radius"},
                    {"shape/surface.hpp", "stone.height / T(2) - stone.sphere_radius",

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/oracles/numbers/ball.hpp"
 #include "verify/oracles/stone/rigorous_integral.hpp"
@@ -122,7 +123,7 @@ std::vector<Claim> certified_claims() {
        .function = "goishi::formula on Arb balls",
        .family = OracleFamily::quadrature,
        .oracle = arb,
-       .checks = {{.unit = "enclosures missed", .bound = 0.0, .reason = "two enclosures of one number meet"}},
+       .checks = {within("", 0.0, "enclosures missed", "two enclosures of one number meet")},
        .mutants = {{"mass/inertia.hpp", "T(5) * c2 + a2", "T(4) * c2 + a2"},
                    {"mass/inertia.hpp", "T(6) * r1_2 * arc.c3", "T(5) * r1_2 * arc.c3"},
                    {"mass/volume.hpp", "T(2) * (terms.half_band", "(terms.half_band"},
@@ -133,7 +134,7 @@ std::vector<Claim> certified_claims() {
       {.id = "CERTIFIED-2",
        .statement = "What rigorous integration encloses is narrow, so that meeting it says something.",
        .function = "the oracle of CERTIFIED-1",
-       .family = OracleFamily::exact,
+       .family = OracleFamily::proof,
        .oracle = "the balls' own radii",
        .checks = {{.unit = "relative radius",
                    .bound = 2e-31,

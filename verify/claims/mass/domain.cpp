@@ -7,6 +7,7 @@
 #include <goishi/mass/tensor.hpp>
 #include <string>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/oracles/numbers/multiprecision.hpp"
 #include "verify/samples/domain.hpp"
@@ -48,7 +49,7 @@ TensorSample<T> draw_tensor(Context& context, int i) {
 }
 
 template <class T>
-void see_tensors(Context& context, Worst& worst, int count) {
+void see_tensors(Context& context, Checks& checks, int count) {
   for (int i = 0; i < count; ++i) {
     const TensorSample<T> sample = draw_tensor<T>(context, i);
     const Mat3<T>& tensor = sample.tensor;
@@ -61,48 +62,50 @@ void see_tensors(Context& context, Worst& worst, int count) {
       return text;
     };
     const auto answer = answer_of(mode, [&] { return principal_axes(tensor); });
+    see_choice(checks["refusals"], answer.has_value(), [&] { return "refused: " + describe_it(); });
     if (!answer) {
-      worst.see(NAN, [&] { return "refused: " + describe_it(); });
       continue;
     }
     using Wide = Mat3<Digits50>;
-    const Wide R = answer->R_WP.template cast<Digits50>();
+    const Digits50 factor(context.produced(1.0));
+    const Wide R = factor * answer->R_WP.template cast<Digits50>();
     Wide exact = tensor.template cast<Digits50>();
     exact = Wide((exact + exact.transpose()) / 2);
-    const Vec3<Digits50> moments = Vec3<T>(context.produced(Vec3<T>(answer->moments))).template cast<Digits50>();
+    const Vec3<Digits50> moments = factor * answer->moments.template cast<Digits50>();
     const Digits50 trace = exact.trace();
     const Digits50 off = Wide(exact * R - R * moments.asDiagonal()).cwiseAbs().maxCoeff() / trace;
     const Digits50 turned = Wide(R.transpose() * R - Wide::Identity()).cwiseAbs().maxCoeff();
-    worst.see(static_cast<double>(std::max(off, turned)), epsilon_in<T>, describe_it);
+    checks["residual"].see(static_cast<double>(off), epsilon_in<T>, describe_it);
+    checks["rotation"].see(static_cast<double>(turned), epsilon_in<T>, describe_it);
     Vec3<T> expected = sample.shares * (sample.trace / sample.shares.sum());
     std::sort(expected.data(), expected.data() + 3);
-    // The sample itself has some 8 ε of round-off.
-    const double share = static_cast<double>(((answer->moments - expected) / sample.trace).cwiseAbs().maxCoeff());
-    worst.see(share / 2.0, epsilon_in<T>, [&] { return "moments: " + describe_it(); });
+    const Vec3<Digits50> apart = moments - expected.template cast<Digits50>();
+    checks["moments"].see(static_cast<double>(Digits50(apart.cwiseAbs().maxCoeff() / Digits50(sample.trace))),
+                          epsilon_in<T>, describe_it);
     const bool ascending = answer->moments[0] <= answer->moments[1] && answer->moments[1] <= answer->moments[2];
-    worst.see(ascending && R.determinant() > 0 ? 0.0 : NAN, [&] { return "no rotation: " + describe_it(); });
+    see_choice(checks["order"], ascending && R.determinant() > 0, describe_it);
     // In other units, the same digits.
     const int n = static_cast<int>(context.uniform(-1.0, 1.0) * 3.0 * size_reach<T>);
-    const T factor = std::ldexp(T(1), n), least = std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon();
-    const T scaled_trace = sample.trace * factor;
+    const T unit = std::ldexp(T(1), n), least = std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon();
+    const T scaled_trace = sample.trace * unit;
     if (least < sample.trace && least < scaled_trace && std::isfinite(scaled_trace * T(4)) && i % 3 == 0) {
-      const auto other = answer_of(mode, [&] { return principal_axes(Mat3<T>(factor * tensor)); });
-      worst.see(other && other->R_WP == answer->R_WP && other->moments == factor * answer->moments ? 0.0 : NAN,
-                [&] { return fmt::format("times 2^{}: {}", n, describe_it()); });
+      const auto other = answer_of(mode, [&] { return principal_axes(Mat3<T>(unit * tensor)); });
+      see_choice(checks["units"], other && other->R_WP == answer->R_WP && other->moments == unit * answer->moments,
+                 [&] { return fmt::format("times 2^{}: {}", n, describe_it()); });
     }
   }
 }
 
 /// What no body has is refused, of any size.
 template <class T>
-void see_refusals(Context& context, Worst& worst, int count) {
+void see_refusals(Context& context, Checks& checks, int count) {
   const T nan = std::numeric_limits<T>::quiet_NaN(), infinite = std::numeric_limits<T>::infinity();
   for (int i = 0; i < count; ++i) {
     const T size = any_size<T>(context.random(), size_reach<T>);
     const int mode = rounding_modes[static_cast<std::size_t>(i) % rounding_modes.size()];
     const auto refused = [&](const char* name, const Mat3<T>& tensor) {
-      worst.see(answer_of(mode, [&] { return principal_axes(tensor); }) ? NAN : 0.0,
-                [&] { return fmt::format("taken: {}, {:a}, mode {}", name, size, mode); });
+      see_choice(checks["refusals"], !answer_of(mode, [&] { return principal_axes(tensor); }),
+                 [&] { return fmt::format("taken: {}, {:a}, mode {}", name, size, mode); });
     };
     const auto diagonal = [&](double x, double y, double z) {
       return Mat3<T>(size * Vec3<T>(static_cast<T>(x), static_cast<T>(y), static_cast<T>(z)).asDiagonal());
@@ -126,12 +129,12 @@ void see_refusals(Context& context, Worst& worst, int count) {
 }
 
 Measurement measure_tensors(Context& context) {
-  Worst worst;
-  see_tensors<double>(context, worst, context.samples(1500, 15'000));
-  see_tensors<float>(context, worst, context.samples(1500, 15'000));
-  see_refusals<double>(context, worst, context.samples(40, 400));
-  see_refusals<float>(context, worst, context.samples(40, 400));
-  return worst.measurement();
+  Checks checks;
+  see_tensors<double>(context, checks, context.samples(1500, 15'000));
+  see_tensors<float>(context, checks, context.samples(1500, 15'000));
+  see_refusals<double>(context, checks, context.samples(40, 400));
+  see_refusals<float>(context, checks, context.samples(40, 400));
+  return checks.measurement();
 }
 
 }  // namespace
@@ -147,10 +150,13 @@ std::vector<Claim> domain_tensor_claims() {
        .family = OracleFamily::other_formula,
        .oracle =
            "the residual I R − R diag(moments) and RᵀR − 1 in 50 digits; the same tensor in other units, to the bit",
-       .checks = {{.unit = "ε of the trace",
-                   .bound = 48.0,
-                   .reason = "twice TENSOR-4's 24, for rounding that is not to the nearest",
-                   .resolution = 1.0}},
+       .checks = {within("residual", 24.0, "ε of the trace",
+                         "twice TENSOR-4's 12, for rounding that is not to the nearest", 1.0),
+                  within("rotation", 48.0, "ε", "twice TENSOR-4's 24", 1.0),
+                  within("moments", 32.0, "ε of the trace", "twice TENSOR-4's 12, and the sample's own 8 ε", 1.0),
+                  none("order", "moments that do not ascend, or axes that are no rotation"),
+                  none("units", "tensors that have other digits in other units"),
+                  none("refusals", "what is taken or refused and should not be")},
        .mutants = {{"mass/tensor.hpp", "(scaled + scaled.transpose()) / T(2)", "(scaled + scaled.transpose()) / T(3)"},
                    {"mass/tensor.hpp", "const Mat3<T> scaled = tensor / trace;",
                     "const Mat3<T> scaled = T(2) * tensor / (T(2) * trace);"},

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <goishi/mass/tensor.hpp>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/oracles/numbers/multiprecision.hpp"
 #include "verify/samples/stone.hpp"
@@ -15,8 +16,6 @@
 namespace goishi::verify {
 
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 Vec3<double> draw_position(Context& context, double reach) {
   return {context.uniform(-reach, reach), context.uniform(-reach, reach), context.uniform(-reach, reach)};
@@ -77,7 +76,7 @@ Measurement measure_parallel_axes(Context& context) {
 }
 
 Measurement measure_physical(Context& context) {
-  Worst worst;
+  Checks checks;
   for (int i = 0; i < context.samples(20000, 200000); ++i) {
     const auto shape = draw_shape<double>(context.random(), i);
     for (const double bevel : {0.0, shape.bevel}) {
@@ -87,43 +86,51 @@ Measurement measure_physical(Context& context) {
       const bool positive = moments.axial > 0.0 && moments.transverse > 0.0;
       const double excess = context.produced(moments.axial) / (2.0 * moments.transverse) - 1.0;
       const bool lamina = bevel == 0.0 && shape.height < 1e-8 * shape.width;
-      worst.see(!positive ? 1.0 : lamina ? std::fabs(excess) : std::max(excess, 0.0), [&] { return describe(shape); });
+      checks["ratio"].see(lamina ? std::fabs(excess) : std::max(excess, 0.0), [&] { return describe(shape); });
       const char* broken = broken_inertia_rule<double>({moments.transverse, moments.transverse, moments.axial});
-      worst.see(broken == nullptr ? 0.0 : 1.0, [&] { return "refused: " + describe(shape); });
+      see_choice(checks["bodies"], positive && broken == nullptr, [&] { return describe(shape); });
     }
   }
-  return worst.measurement();
+  return checks.measurement();
 }
 
 Measurement measure_principal_axes(Context& context) {
-  return over_stones(context, context.samples(2000, 20000), [&](const MassProperties<double>& body, double) {
-    const Quat<double> q_WB = draw_attitude(context.random());
-    const Mat3<double> tensor = inertia_tensor(body, q_WB, Vec3<double>(Vec3<double>::Zero()));
+  Checks checks;
+  for (int i = 0; i < context.samples(2000, 20000); ++i) {
+    const auto shape = draw_shape<double>(context.random(), i);
+    const MassProperties<double> body =
+        mass_properties(make_stone(shape.width, shape.height, shape.bevel), Density{1.0});
+    const Mat3<double> tensor =
+        inertia_tensor(body, draw_attitude(context.random()), Vec3<double>(Vec3<double>::Zero()));
     const PrincipalAxes<double> axes = principal_axes(tensor);
-    const Mat3<double>& R = axes.R_WP;
-    const double orthogonal =
-        (R.transpose() * R - Mat3<double>::Identity()).cwiseAbs().maxCoeff() + std::fabs(R.determinant() - 1.0);
+    const Mat3<double> R = context.produced(axes.R_WP);
+    const Vec3<double> found = context.produced(axes.moments);
     // The moments: the transverse one twice, the axial one, ascending.
     Vec3<double> expected(body.moments.transverse, body.moments.transverse, body.moments.axial);
     std::sort(expected.data(), expected.data() + 3);
-    const double moments = (context.produced(axes.moments) - expected).cwiseAbs().maxCoeff() / tensor.trace();
-    return std::max({difference(R * axes.moments.asDiagonal() * R.transpose(), tensor), moments, orthogonal});
-  });
+    const auto see = [&](const char* check, double error) {
+      checks[check].see(error, [&] { return describe(shape); });
+    };
+    see("tensor", difference(R * found.asDiagonal() * R.transpose(), tensor));
+    see("moments", (found - expected).cwiseAbs().maxCoeff() / tensor.trace());
+    see("rotation",
+        (R.transpose() * R - Mat3<double>::Identity()).cwiseAbs().maxCoeff() + std::fabs(R.determinant() - 1.0));
+  }
+  return checks.measurement();
 }
 
 }  // namespace
 
 std::vector<Claim> tensor_claims() {
+  const std::string solver = "Eigen's symmetric solver is backward stable: a small multiple of ε of the norm";
   return {
       {.id = "TENSOR-1",
        .statement = "Turning the world turns the tensor: R I Rᵀ, products of inertia included.",
        .function = "inertia_tensor",
        .family = OracleFamily::relation,
        .oracle = "the stone placed in the turned world",
-       .checks = {{.unit = "of the trace",
-                   .bound = 16.0 * epsilon,
-                   .reason = "two rotation matrices (4 ε each) applied on both sides",
-                   .resolution = epsilon}},
+       .checks = {within("", 16.0 * epsilon, "of the trace", "two rotation matrices (4 ε each) applied on both sides",
+                         epsilon)},
        .mutants = {{"mass/tensor.hpp", "-xy, zz + xx, -yz", "-xy, zz + xx, yz"}},
        .measure = measure_equivariance},
       {.id = "TENSOR-2",
@@ -131,10 +138,8 @@ std::vector<Claim> tensor_claims() {
        .function = "inertia_tensor",
        .family = OracleFamily::other_formula,
        .oracle = "six point masses with the stone's second moments, placed one by one and summed in 50 digits",
-       .checks = {{.unit = "of the trace",
-                   .bound = 12.0 * epsilon,
-                   .reason = "one rotation matrix (4 ε) applied on both sides, the shift's squares and one sum",
-                   .resolution = epsilon}},
+       .checks = {within("", 8.0 * epsilon, "of the trace", "one rotation matrix (4 ε) applied on both sides",
+                         epsilon)},
        .mutants = {{"mass/tensor.hpp", "moments.transverse, T(0), T(0), T(0), moments.transverse",
                     "moments.axial, T(0), T(0), T(0), moments.transverse"},
                    {"mass/tensor.hpp", "zz + xx", "zz + yy"}},
@@ -145,10 +150,9 @@ std::vector<Claim> tensor_claims() {
        .function = "mass_properties, broken_inertia_rule",
        .family = OracleFamily::invariant,
        .oracle = "the inequality",
-       .checks = {{.unit = "relative excess",
-                   .bound = 8.0 * epsilon,
-                   .reason = "6 ulp each of two moments that share most of their roundings",
-                   .resolution = epsilon}},
+       .checks = {within("ratio", 8.0 * epsilon, "excess of I_a over 2 I_t",
+                         "6 ulp each of two moments that share most of their roundings", epsilon),
+                  none("bodies", "moments that are not positive, or refused")},
        .mutants = {{"mass/inertia.hpp", "T(2) * unit * (T(10) * c4", "T(5) * unit * (T(10) * c4"},
                    {"mass/inertia.hpp", "axial / T(2) + (height_caps", "axial / T(3) + (height_caps"}},
        .measure = measure_physical},
@@ -157,13 +161,12 @@ std::vector<Claim> tensor_claims() {
        .function = "principal_axes",
        .family = OracleFamily::relation,
        .oracle = "the moments that went in, and the tensor made again from moments and axes",
-       .checks =
-           {{.unit = "of the trace",
-             .bound = 24.0 * epsilon,
-             .reason =
-                 "Eigen's symmetric solver is backward stable: a small multiple of ε of the norm; measured 2026-11-21: "
-                 "up to 10 ε",
-             .resolution = epsilon}},
+       .checks = {within("tensor", 12.0 * epsilon, "of the trace",
+                         solver + "; measured 2026-11-30 with 40 seeds: up to 2.9 ε", epsilon),
+                  within("moments", 12.0 * epsilon, "of the trace",
+                         solver + "; measured 2026-11-30 with 40 seeds: up to 3.7 ε", epsilon),
+                  within("rotation", 24.0 * epsilon, "absolute",
+                         solver + "; measured 2026-11-30 with 40 seeds: up to 9 ε", epsilon)},
        .mutants = {{"mass/tensor.hpp", "result.R_WP.col(0) = -result.R_WP.col(0)",
                     "result.R_WP.col(0) = result.R_WP.col(1)"},
                    {"mass/tensor.hpp", "solver.eigenvalues() * trace", "solver.eigenvalues()"}},

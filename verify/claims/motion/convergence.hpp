@@ -14,13 +14,18 @@
 #include <string>
 #include <vector>
 
+#include "verify/claims/checks.hpp"
 #include "verify/samples/motion.hpp"
-#include "verify/suite/claim.hpp"
 
 namespace goishi::verify {
 
 using Attitude = Quat<long double>;
 inline constexpr int instants = 8;
+
+/// All of it relatively, its length too: `attitude_difference` sees that.
+[[nodiscard]] inline Quat<double> lengthened(const Context& context, const Quat<double>& q_WB) {
+  return Quat<double>(context.produced(q_WB.coeffs().eval()));
+}
 
 /// Some two turns.
 [[nodiscard]] inline double duration_of(const Flight& flight) {
@@ -68,8 +73,7 @@ struct StepError {
       return {NAN, NAN};
     }
     state = stepped.state;
-    const Quat<double> q_WB(context.produced(state.q_WB.coeffs().eval()));
-    error.attitude = std::max(error.attitude, attitude_difference(q_WB, attitude));
+    error.attitude = std::max(error.attitude, attitude_difference(lengthened(context, state.q_WB), attitude));
   }
   const State<double> parabola = formula::ballistic_flight(flight.start, stepper.gravity(), duration);
   error.position = (context.produced(state.p_WB) - parabola.p_WB).norm();
@@ -79,57 +83,70 @@ struct StepError {
 /// The halvings in which a scheme of this order is past its first terms and not yet at round-off: 2^k steps.
 struct Halvings {
   int first, last;
-  double tolerance;  // of the slope
 };
 [[nodiscard]] inline Halvings halvings_of(int order) {
-  return order <= 1   ? Halvings{13, 16, 0.05}
-         : order == 2 ? Halvings{9, 12, 0.05}
-         : order == 4 ? Halvings{7, 10, 0.1}
-                      : Halvings{5, 8, 0.2};
+  return order <= 1 ? Halvings{13, 16} : order == 2 ? Halvings{9, 12} : order == 4 ? Halvings{7, 10} : Halvings{5, 8};
 }
 
-/// Sees each halving's slope, unless the finer error is near round-off.
-inline void see_slopes(Worst& worst, const std::vector<double>& errors, int order, double tolerance,
-                       const std::string& description) {
+/// Sees how far each halving's slope is off, unless the finer error is near round-off.
+inline void see_slopes(Worst& worst, const std::vector<double>& errors, int order, const std::string& description) {
   constexpr double near_round_off = 1e-12;
   int seen = 0;
   for (std::size_t i = 1; i < errors.size(); ++i) {
     if (!(errors[i] < near_round_off)) {
       ++seen;
       const double slope = std::log2(errors[i - 1] / errors[i]);
-      worst.see(std::fabs(slope - order), tolerance,
+      worst.see(std::fabs(slope - order),
                 [&] { return fmt::format("slope {:.4f} instead of {}: {}", slope, order, description); });
     }
   }
   worst.see(seen > 0 ? 0.0 : NAN, [&] { return "all errors are at round-off: " + description; });
 }
 
-inline void see_attitude_order(Worst& worst, const Context& context, Scheme scheme, const Flight& flight,
+inline void see_attitude_order(Checks& checks, const Context& context, Scheme scheme, const Flight& flight,
                                std::span<const Attitude> expected, int order) {
-  const Halvings halvings = halvings_of(order);
+  const auto [first, last] = halvings_of(order);
   std::vector<double> errors;
-  for (int k = halvings.first; k <= halvings.last; ++k) {
+  for (int k = first; k <= last; ++k) {
     errors.push_back(step_error(context, scheme, flight, expected, k).attitude);
   }
-  see_slopes(worst, errors, order, halvings.tolerance, std::string(info(scheme).name) + ", " + describe(flight));
+  see_slopes(checks[fmt::format("order {}", order)], errors, order,
+             fmt::format("{}, {}", info(scheme).name, describe(flight)));
 }
 
-inline void see_position_order(Worst& worst, const Context& context, Scheme scheme, const Flight& flight,
+/// A scheme that converges to a motion of its own, a turn with the first angular velocity. Against the true one its error
+/// ends at how far the two are apart, but for what each step of x rad turns too little: x − 2 atan(x/2) < x³/12.
+inline void see_no_convergence(Checks& checks, const Context& context, Scheme scheme, const Flight& flight,
+                               std::span<const Attitude> truth, std::span<const Attitude> own) {
+  double apart = 0.0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    apart = std::max(apart, attitude_difference(truth[i], own[i]));
+  }
+  const auto describe_it = [&] { return fmt::format("{}, {}", info(scheme).name, describe(flight)); };
+  const double angle = formula::angular_velocity_W(flight.start, flight.body).norm() * duration_of(flight);
+  for (int k = 7; k <= 10; ++k) {
+    const double x = angle / std::exp2(k);
+    checks["no convergence"].see(std::fabs(step_error(context, scheme, flight, truth, k).attitude - apart),
+                                 angle * x * x / 12.0, describe_it);
+  }
+  see_choice(checks["other motion"], apart > 1e-3, describe_it);
+}
+
+inline void see_position_order(Checks& checks, const Context& context, Scheme scheme, const Flight& flight,
                                std::span<const Attitude> expected) {
   std::vector<double> errors;
   for (int k = 6; k <= 8; ++k) {
     errors.push_back(step_error(context, scheme, flight, expected, k).position);
   }
+  const std::string description = fmt::format("position, {}, {}", info(scheme).name, describe(flight));
   if (info(scheme).position_order != exact_order) {
-    see_slopes(worst, errors, info(scheme).position_order, 0.05, "position by " + std::string(info(scheme).name));
+    see_slopes(checks["position"], errors, info(scheme).position_order, description);
     return;
   }
-  // Each of 256 steps rounds a velocity and a position, of a size that neither leaves.
   const double duration = duration_of(flight);
   const double gain = standard_gravity<double>() * duration;
   const double reach = flight.start.p_WB.norm() + (flight.start.v_WB.norm() + gain) * duration;
-  worst.see(errors.back(), 256.0 * std::numeric_limits<double>::epsilon() * reach,
-            [&] { return "an exact position by " + std::string(info(scheme).name) + ", " + describe(flight); });
+  checks["exact position"].see(errors.back(), epsilon * reach, [&] { return description; });
 }
 
 [[nodiscard]] inline Plot order_plot(const Context& context, const std::string& title, const Flight& flight) {
@@ -180,7 +197,7 @@ inline void see_position_order(Worst& worst, const Context& context, Scheme sche
 /// What round-off adds to the attitude in so many steps of one turn in all: the bound of claim ORDER-4   [rad].
 [[nodiscard]] inline double round_off(Scheme scheme, double steps) {
   const double alike = cosine_products(scheme) / 16.0 + (scheme == Scheme::published ? 16.0 : 0.0);
-  return std::numeric_limits<double>::epsilon() * (16.0 * std::sqrt(steps) + alike * steps);
+  return epsilon * (16.0 * std::sqrt(steps) + alike * steps);
 }
 
 }  // namespace goishi::verify

@@ -6,6 +6,7 @@
 #include <goishi/motion/elliptic_flight.hpp>
 #include <goishi/motion/steppers.hpp>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/claims/motion/flight_errors.hpp"
 #include "verify/samples/domain.hpp"
@@ -47,33 +48,34 @@ Top<T> draw_any_top(Context& context, int i) {
   return top;
 }
 
+/// How far |q|² is off 1, in ε.
+template <class T, class Describe>
+void see_length(Worst& worst, const Quat<T>& q, Describe&& describe) {
+  worst.see(std::fabs(static_cast<double>(q.template cast<Quad>().squaredNorm() - Quad(1))), epsilon_of<T>, describe);
+}
+
 template <class T>
-void see_flights(Context& context, Worst& worst, int count) {
+void see_flights(Context& context, Checks& checks, int count) {
   for (int i = 0; i < count; ++i) {
     const Top<T> top = draw_any_top<T>(context, i);
     const Vec3<T> gravity(T(0), T(0), i % 3 == 0 ? T(0) : -any_size<T>(context.random(), 6.0));
     const int mode = rounding_modes[static_cast<std::size_t>(i / 11) % rounding_modes.size()];
     const auto describe_it = [&] { return describe(top) + fmt::format(", mode {}", mode); };
     const auto answer = answer_of(mode, [&] { return free_flight(top.state, top.moments, gravity, top.time); });
+    see_choice(checks["refusals"], answer.has_value(), [&] { return "refused: " + describe_it(); });
     if (!answer) {
-      worst.see(NAN, [&] { return "refused: " + describe_it(); });
       continue;
     }
-    worst.see(attitude_error(produced(context, answer->q_WB), exact_attitude<Quad>(top), top), describe_it);
-    const double path = path_error(context, top.state, gravity, top.time, *answer);
-    const bool finite = answer->p_WB.allFinite() && answer->v_WB.allFinite();
-    worst.see(!finite        ? NAN
-              : path != path ? 0.0
-                             : path,  // 0/0: a coordinate that does not move
-              [&] { return "path: " + describe_it(); });
-    const double left = static_cast<double>(answer->q_WB.template cast<Quad>().squaredNorm() - Quad(1));
-    worst.see(std::fabs(left) / epsilon_of<T>, [&] { return "|q|: " + describe_it(); });
+    const Quat<T> q = produced(context, answer->q_WB);
+    checks["attitude"].see(attitude_error(q, exact_attitude<Quad>(top), top), describe_it);
+    see_length(checks["length"], q, describe_it);
+    see_path(context, checks, top.state, gravity, top.time, *answer, describe_it);
   }
 }
 
 /// What overflows is refused.
 template <class T>
-void see_overflows(Worst& worst) {
+void see_overflows(Checks& checks) {
   const T huge = std::numeric_limits<T>::max() / T(2), root = std::sqrt(huge);
   const Vec3<T> none(T(0), T(0), T(0)), one(T(1), T(0), T(0));
   const State<T> rest{.p_WB = none, .q_WB = Quat<T>::Identity(), .v_WB = none, .L_W = none};
@@ -84,7 +86,7 @@ void see_overflows(Worst& worst) {
       least{.axial = std::numeric_limits<T>::denorm_min(), .transverse = std::numeric_limits<T>::denorm_min()};
   const Vec3<T> brick(T(2), T(3), T(4));
   const auto refused = [&](const char* name, auto&& call) {
-    worst.see(answer_of(FE_TONEAREST, call) ? NAN : 0.0, [&] { return std::string("taken: ") + name; });
+    see_choice(checks["refusals"], !answer_of(FE_TONEAREST, call), [&] { return std::string("taken: ") + name; });
   };
   refused("the way", [&] { return free_flight(fast, round, none, T(8)); });
   refused("the gain", [&] { return free_flight(rest, round, Vec3<T>(huge * one), T(8)); });
@@ -96,16 +98,17 @@ void see_overflows(Worst& worst) {
   refused("the way of a batch", [&] { return batch.fly(none, T(8)), 0; });
   batch.set(2, spinning, round);
   refused("the angle of a batch", [&] { return batch.fly(none, root), 0; });
-  worst.see(batch.get(1).p_WB == none && batch.get(2).q_WB.w() == T(1) ? 0.0 : NAN, [] { return "half a batch flew"; });
+  see_choice(checks["refusals"], batch.get(1).p_WB == none && batch.get(2).q_WB.w() == T(1),
+             [] { return "half a batch flew"; });
 }
 
 Measurement measure_flights(Context& context) {
-  Worst worst;
-  see_flights<double>(context, worst, context.samples(3000, 30'000));
-  see_flights<float>(context, worst, context.samples(3000, 30'000));
-  see_overflows<double>(worst);
-  see_overflows<float>(worst);
-  return worst.measurement();
+  Checks checks;
+  see_flights<double>(context, checks, context.samples(3000, 30'000));
+  see_flights<float>(context, checks, context.samples(3000, 30'000));
+  see_overflows<double>(checks);
+  see_overflows<float>(checks);
+  return checks.measurement();
 }
 
 /// The same flight with moments times 2^m, times times 2^t: with L times 2^(m − t) the attitude has the same digits.
@@ -146,7 +149,7 @@ Measurement measure_units(Context& context) {
 
 /// Beyond what the batch's sine counts.
 template <class T>
-void see_batches(Context& context, Worst& worst, int count) {
+void see_batches(Context& context, Checks& checks, int count) {
   constexpr bool single = std::numeric_limits<T>::digits < 30;
   for (int i = 0; i < count; ++i) {
     const T time = any_size<T>(context.random(), single ? 12.0 : 16.0) * (i % 2 == 0 ? T(1) : T(-1));
@@ -166,21 +169,21 @@ void see_batches(Context& context, Worst& worst, int count) {
     for (std::size_t k = 0; k < batch.size(); ++k) {
       const Quat<T> q = produced(context, batch.get(k).q_WB);
       const Quat<T> alone = free_flight(tops[k].state, tops[k].moments, gravity, time).q_WB;
-      worst.see(attitude_error(q, exact_attitude<Quad>(tops[k]), tops[k]), [&] { return describe(tops[k]); });
-      const double left = static_cast<double>(q.template cast<Quad>().squaredNorm() - Quad(1));
-      worst.see(std::fabs(left) / epsilon_of<T>, [&] { return "|q|: " + describe(tops[k]); });
+      const auto describe_it = [&] { return describe(tops[k]); };
+      checks["attitude"].see(attitude_error(q, exact_attitude<Quad>(tops[k]), tops[k]), describe_it);
+      see_length(checks["length"], q, describe_it);
       if (phase(tops[k]) > 1e10) {  // nothing but the same digits tells
-        worst.see(q.coeffs() == alone.coeffs() ? 0.0 : NAN, [&] { return "not as alone: " + describe(tops[k]); });
+        see_choice(checks["as alone"], q.coeffs() == alone.coeffs(), describe_it);
       }
     }
   }
 }
 
 Measurement measure_batches(Context& context) {
-  Worst worst;
-  see_batches<double>(context, worst, context.samples(200, 2000));
-  see_batches<float>(context, worst, context.samples(200, 2000));
-  return worst.measurement();
+  Checks checks;
+  see_batches<double>(context, checks, context.samples(200, 2000));
+  see_batches<float>(context, checks, context.samples(200, 2000));
+  return checks.measurement();
 }
 
 }  // namespace
@@ -194,10 +197,15 @@ std::vector<Claim> domain_motion_claims() {
        .function = "free_flight",
        .family = OracleFamily::rounding,
        .oracle = "the formula, which FLIGHT-3 shows right, in 113 bits; the parabola",
-       .checks = {{.unit = "ε (1 + phase)",
-                   .bound = 16.0,
-                   .reason = "twice FLIGHT-1's 8, for rounding that is not to the nearest",
-                   .resolution = 1.0}},
+       .checks = {within("attitude", 16.0, "ε (1 + phase)",
+                         "twice FLIGHT-1's 8, for rounding that is not to the nearest", 1.0),
+                  within("length", 16.0, "ε, of |q|²", "twice FLIGHT-4's 8, for rounding that is not to the nearest",
+                         1.0),
+                  within("place", 4.0, "ε (|p| + |v t| + |g t²/2|)",
+                         "twice FLIGHT-5's 2, for rounding that is not to the nearest", 1.0),
+                  within("velocity", 4.0, "ε (|v| + |g t|)",
+                         "twice FLIGHT-5's 2, for rounding that is not to the nearest", 1.0),
+                  none("refusals", "what is taken or refused and should not be")},
        .mutants = {{"motion/free_flight.hpp", "const Quat<T> q = formula::reunited(q_WB);", "const Quat<T> q = q_WB;"},
                    {"motion/free_flight.hpp", "T(0) < state.q_WB.squaredNorm() && ", ""},
                    {"motion/free_flight.hpp", "scalar::is_finite(T(rates.precession + rates.spin))", "true"}},
@@ -209,7 +217,7 @@ std::vector<Claim> domain_motion_claims() {
        .function = "elliptic_flight",
        .family = OracleFamily::relation,
        .oracle = "the same flight in other units",
-       .checks = {{.unit = "flights that differ", .bound = 0.0, .reason = "powers of two are exact"}},
+       .checks = {within("", 0.0, "flights that differ", "powers of two are exact")},
        .mutants = {{"motion/elliptic_flight.hpp", "size = momentum.cwiseAbs().maxCoeff(&k)",
                     "size = T(0) * momentum.cwiseAbs().maxCoeff(&k) + T(1)"}},
        .measure = measure_units},
@@ -218,7 +226,10 @@ std::vector<Claim> domain_motion_claims() {
        .function = "StoneBatch::fly",
        .family = OracleFamily::relation,
        .oracle = "free_flight of the same stone, to the bit beyond 1e10 rad; the formula in 113 bits",
-       .checks = {{.unit = "ε (1 + phase)", .bound = 8.0, .reason = "as BATCH-1", .resolution = 0.5}},
+       .checks = {within("attitude", 8.0, "ε (1 + phase)", "as BATCH-1", 0.5),
+                  within("length", 8.0, "ε, of |q|²", "as FLIGHT-4", 0.5),
+                  within("as alone", 0.0, "stones that differ",
+                         "beyond 1e10 rad the batch leaves them to free_flight")},
        .mutants = {{"motion/batch.hpp", "angle < T(65536) * T(65536)", "true"},
                    {"motion/batch.hpp", "put(i, free_flight(get(i), rates, gravity, t));", "put(i, get(i));"}},
        .measure = measure_batches},

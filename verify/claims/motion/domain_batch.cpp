@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/oracles/numbers/multiprecision.hpp"
 #include "verify/samples/domain.hpp"
@@ -49,7 +50,7 @@ Row<T> draw_row(Context& context, int i) {
 }
 
 template <class T>
-void see_rows(Context& context, Worst& worst, int count) {
+void see_rows(Context& context, Checks& checks, int count) {
   for (int i = 0; i < count; ++i) {
     const Row<T> row = draw_row<T>(context, i);
     const std::size_t size = row.stones.size();
@@ -76,7 +77,7 @@ void see_rows(Context& context, Worst& worst, int count) {
       const double off = std::isfinite(gap)
                              ? static_cast<double>(Digits50(abs(Digits50(context.produced(gap)) - exact) / scale))
                              : NAN;
-      worst.see(off, epsilon_in<T> * (1.0 + defect), [&] {
+      checks["gaps"].see(off, epsilon_in<T> * (1.0 + defect), [&] {
         const Pose<T>& at = row.poses[k];
         return fmt::format(
             "stone {} of {}: w = {:a}, h = {:a}, p = ({:a}, {:a}, {:a}), q = ({:a}, {:a}, {:a}, {:a}), n = "
@@ -91,7 +92,7 @@ void see_rows(Context& context, Worst& worst, int count) {
 
 /// A batch answers with numbers or refuses; what it was refused leaves it as it was.
 template <class T>
-void see_refusals(Worst& worst) {
+void see_refusals(Checks& checks) {
   const T huge = std::numeric_limits<T>::max() * T(0.9), nan = std::numeric_limits<T>::quiet_NaN();
   const T infinite = std::numeric_limits<T>::infinity(), root = std::sqrt(T(0.5));
   const Stone<T> stone = make_stone(T(0.022), T(0.009), T(0.001));
@@ -99,8 +100,8 @@ void see_refusals(Worst& worst) {
   PlaneBatch<T> batch(1);
   batch.set(0, stone, here);
   const auto refused = [&](const char* name, auto&& call) {
-    worst.see(answer_of(FE_TONEAREST, [&] { return call(), 0; }) ? NAN : 0.0,
-              [&] { return std::string("taken: ") + name; });
+    see_choice(checks["refusals"], !answer_of(FE_TONEAREST, [&] { return call(), 0; }),
+               [&] { return std::string("taken: ") + name; });
   };
   const auto put = [&](const Vec3<T>& p, const Quat<T>& q) { batch.set(0, stone, {.p_WB = p, .q_WB = q}); };
   const Quat<T> q = Quat<T>::Identity();
@@ -120,16 +121,16 @@ void see_refusals(Worst& worst) {
   refused("no normal", [&] { ask(Vec3<T>(root, root, T(0.01)), T(0), gaps); });
   refused("no room", [&] { ask(up, T(0), two); });
   batch.gaps({}, gaps);
-  worst.see(std::fabs(gaps[0] - (T(1) - T(0.0045))) < T(1e-6) ? 0.0 : NAN, [] { return "not as it was"; });
+  see_choice(checks["refusals"], std::fabs(gaps[0] - (T(1) - T(0.0045))) < T(1e-6), [] { return "not as it was"; });
 }
 
 Measurement measure_rows(Context& context) {
-  Worst worst;
-  see_rows<double>(context, worst, context.samples(300, 3000));
-  see_rows<float>(context, worst, context.samples(300, 3000));
-  see_refusals<double>(worst);
-  see_refusals<float>(worst);
-  return worst.measurement();
+  Checks checks;
+  see_rows<double>(context, checks, context.samples(300, 3000));
+  see_rows<float>(context, checks, context.samples(300, 3000));
+  see_refusals<double>(checks);
+  see_refusals<float>(checks);
+  return checks.measurement();
 }
 
 }  // namespace
@@ -144,10 +145,9 @@ std::vector<Claim> domain_batch_claims() {
        .function = "PlaneBatch",
        .family = OracleFamily::other_formula,
        .oracle = "height less support, in 50 digits, at q/|q| and n/|n|",
-       .checks = {{.unit = "ε of width, distance and offset; as much more as |n|² is off",
-                   .bound = 12.0,
-                   .reason = "some six roundings, twice as large where they are not to the nearest",
-                   .resolution = 0.5}},
+       .checks = {within("gaps", 12.0, "ε of width, distance and offset; as much more as |n|² is off",
+                         "some six roundings, twice as large where they are not to the nearest", 0.5),
+                  none("refusals", "what is taken or refused and should not be")},
        .mutants = {{"contact/batch_plane.hpp", "placed.p_W.cwiseAbs().sum() < most", "true"},
                    {"contact/batch_plane.hpp", "-most < plane.offset && plane.offset < most", "true"},
                    {"contact/batch_plane.hpp", "const Lanes axial = abs(signed_axial);",

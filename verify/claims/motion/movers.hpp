@@ -12,7 +12,6 @@
 
 #include "verify/claims/motion/convergence.hpp"
 #include "verify/samples/motion.hpp"
-#include "verify/suite/claim.hpp"
 
 namespace goishi::verify {
 
@@ -24,7 +23,7 @@ namespace goishi::verify {
 [[nodiscard]] inline double flight_error(const Flight& flight, double t) {
   const auto [axial, transverse] = top_moments(flight);
   const double spin = formula::axial_momentum(flight.start.q_WB, flight.start.L_W) / axial;
-  return 8.0 * std::numeric_limits<double>::epsilon() *
+  return 8.0 * epsilon *
          (1.0 + std::fabs(t) * (flight.start.L_W.norm() / transverse + std::fabs(spin * (1.0 - axial / transverse))));
 }
 
@@ -40,6 +39,7 @@ struct Mover {
   std::function<State<double>(const Flight&, const Vec3<double>& gravity, double dt, Freedom)> move;
   std::function<double(const Flight&, double dt)> attitude_error;
   bool keeps_momentum = true;
+  int pieces = 64;  // in which it moves the body
 };
 inline constexpr int steps = 64;
 
@@ -58,13 +58,13 @@ void for_each_motion(Context& context, int count, F&& f) {
                       .attitude_error = [scheme](const Flight&, double) { return round_off(scheme, steps); },
                       .keeps_momentum = scheme != Scheme::published});
   }
-  movers.push_back(
-      {.name = "free_flight",
-       .move =
-           [](const Flight& flight, const Vec3<double>& gravity, double dt, Freedom freedom) {
-             return free_flight(flight.start, top_moments(flight), gravity, steps * dt, freedom);
-           },
-       .attitude_error = [](const Flight& flight, double dt) { return flight_error(flight, steps * dt); }});
+  movers.push_back({.name = "free_flight",
+                    .move =
+                        [](const Flight& flight, const Vec3<double>& gravity, double dt, Freedom freedom) {
+                          return free_flight(flight.start, top_moments(flight), gravity, steps * dt, freedom);
+                        },
+                    .attitude_error = [](const Flight& flight, double dt) { return flight_error(flight, steps * dt); },
+                    .pieces = 1});
   for (int i = 0; i < count; ++i) {
     const bool symmetric = i % 2 == 0;
     const Flight flight = draw_flight(context.random(), symmetric ? BodyKind::symmetric : BodyKind::asymmetric);

@@ -7,8 +7,10 @@
 #include <limits>
 #include <vector>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/oracles/published/loop.hpp"
+#include "verify/samples/attitude.hpp"
 #include "verify/samples/drop.hpp"
 #include "verify/samples/stone.hpp"
 #include "verify/suite/quantile.hpp"
@@ -85,11 +87,6 @@ struct Errors {
   }
 };
 
-double angle_between(const Quat<double>& q, const std::array<double, 4>& other) {
-  const Quat<double> turn = q.conjugate() * Quat<double>(other[0], other[1], other[2], other[3]);
-  return 2.0 * std::atan2(turn.vec().norm(), std::fabs(turn.w()));
-}
-
 Errors errors_of(const Context& context, const PublishedStone& stone, PublishedTurning turning,
                  const std::vector<Question>& questions, const std::vector<double>& rates) {
   PublishedRules rules;
@@ -102,7 +99,9 @@ Errors errors_of(const Context& context, const PublishedStone& stone, PublishedT
       const PublishedState end =
           run_published_loop(stone, rules, start.published, time / static_cast<double>(steps), steps).end;
       place.push_back((context.produced(right.p_WB) - Vec3<double>(end.p[0], end.p[1], end.p[2])).norm());
-      attitude.push_back(angle_between(right.q_WB, end.q));
+      Quat<double> q = right.q_WB;
+      q.vec() = context.produced(Vec3<double>(q.vec()));
+      attitude.push_back(angle_between(q, Quat<double>(end.q[0], end.q[1], end.q[2], end.q[3])));
     }
     result.place.push_back(quantile(place, 0.5));
     result.attitude.push_back(quantile(attitude, 0.5));
@@ -167,13 +166,17 @@ Measurement measure_one_impact(Context& context) {
   const std::vector<double> rates = rates_up_to(960.0, context.tier() == Tier::quick ? 61440.0 : 245760.0);
   const Errors velocity = errors_of(context, stone, PublishedTurning::velocity, questions, rates);
   const Errors momentum = errors_of(context, stone, PublishedTurning::momentum, questions, rates);
-  Worst worst;
-  worst.see(std::fabs(momentum.order(momentum.place) - 1.0) / 0.2, [] { return "order of the place, L kept"; });
-  worst.see(std::fabs(momentum.order(momentum.attitude) - 1.0) / 0.2, [] { return "order of the attitude, L kept"; });
-  worst.see(std::fabs(velocity.order(velocity.attitude)) / 0.05, [] { return "order of the attitude, ω kept"; });
-  worst.see(0.1 / velocity.attitude.back(), [] { return "0.1 rad, ω kept"; });
-  worst.see(1e-4 / velocity.place.back(), [] { return "0.1 mm, ω kept"; });
-  Measurement result = worst.measurement();
+  Checks checks;
+  checks["order, L kept"].see(std::fabs(momentum.order(momentum.place) - 1.0), [] { return "place"; });
+  checks["order, L kept"].see(std::fabs(momentum.order(momentum.attitude) - 1.0), [] { return "attitude"; });
+  see_choice(checks["flat, ω kept"], std::fabs(velocity.order(velocity.attitude)) < 0.05,
+             [&] { return fmt::format("{}", velocity.order(velocity.attitude)); });
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    see_choice(checks["off, ω kept"], velocity.attitude[i] > 0.1 && velocity.place[i] > 1e-4, [&] {
+      return fmt::format("{} rad, {} m at 1/{} s", velocity.attitude[i], velocity.place[i], rates[i]);
+    });
+  }
+  Measurement result = checks.measurement();
   const auto coarse = rates_up_to(60.0, 240.0);
   result.figures = {
       {"the talk's loop, at its own 1/60 and 1/240 s",
@@ -246,19 +249,19 @@ Measurement measure_whole_drops(Context& context) {
   const std::vector<Question> questions = half_seconds(context, pebble, context.samples(40, 60));
   const std::vector<double> rates = rates_up_to(3840.0, context.tier() == Tier::quick ? 61440.0 : 245760.0);
   const Errors momentum = errors_of(context, stone, PublishedTurning::momentum, questions, rates);
-  Worst worst;
-  worst.see(std::fabs(momentum.order(momentum.place) - 1.0) / 0.2, [] { return "order of the place"; });
+  Checks checks;
+  checks["order"].see(std::fabs(momentum.order(momentum.place) - 1.0), [] { return "place"; });
   std::vector<Question> few(questions.begin(), questions.begin() + 20);
   std::vector<Figure> figures;
   for (const double rate : {60.0, 240.0, 960.0}) {
     const Left left = left_after(context, pebble, stone, few, rate);
-    worst.see(0.01 / left.away, [&] { return fmt::format("1 cm off, 1/{} s", rate); });
-    worst.see(1e-6 / left.energy, [&] { return fmt::format("still moves, 1/{} s", rate); });
+    see_choice(checks["off"], left.away > 0.01, [&] { return fmt::format("{} m, 1/{} s", left.away, rate); });
+    see_choice(checks["moving"], left.energy > 1e-6, [&] { return fmt::format("{}, 1/{} s", left.energy, rate); });
     figures.push_back({fmt::format("with its damping, 1/{} s", rate),
                        fmt::format("after 8 s {:.1f} mm from the place of rest, with at least {:.1e} of the energy",
                                    1e3 * left.away, left.energy)});
   }
-  Measurement result = worst.measurement();
+  Measurement result = checks.measurement();
   result.figures = {
       {"with L kept, the published law and no damping, 0.5 s", range_of(momentum)},
       {"falls with the step to the power",
@@ -282,14 +285,9 @@ std::vector<Claim> published_drop_claims() {
        .function = "drop, ImpactLaw::published",
        .family = OracleFamily::integration,
        .oracle = "the published loop written anew, at steps from 1/960 s down; size 33, up to 30 rad/s",
-       .checks =
-           {{.unit = "of the bound of each",
-             .bound = 1.0,
-             .reason =
-                 "0.2 about order 1 and 0.05 about order 0 are thrice what medians over 100 drops scatter (0.064 and "
-                 "0.016 at "
-                 "seeds 1 to 20); ω kept the least medians are 0.22 rad and 1.9 mm; measured 2026-11-22",
-             .resolution = 0.02}},
+       .checks = {within("order, L kept", 0.2, "of the slope", "thrice what medians over 100 drops scatter", 0.02),
+                  none("flat, ω kept", "errors of the attitude that fall with the step to the power 0.05 or more"),
+                  none("off, ω kept", "steps whose medians are not more than 0.1 rad and 0.1 mm")},
        .mutants = {{"impact/published.hpp", "const T limit = -(c.friction * j)",
                     "const T limit = -(c.friction * j / T(2))"},
                    {"motion/free_flight.hpp", "const T precession = T(1) / moments.transverse",
@@ -305,12 +303,9 @@ std::vector<Claim> published_drop_claims() {
        .function = "drop, DropSettings defaults and ImpactLaw::published",
        .family = OracleFamily::integration,
        .oracle = "the published loop written anew, at steps down to 1/245760 s; 0.5 s from 5 cm",
-       .checks = {{.unit = "of the bound of each",
-                   .bound = 1.0,
-                   .reason = "0.2 about order 1 is twice what medians over 40 drops scatter (0.11 at seeds 1 to 20); "
-                             "the loop ends at "
-                             "least 18 mm away, with at least 1.4e-5 of the energy; measured 2026-11-22",
-                   .resolution = 0.02}},
+       .checks = {within("order", 0.2, "of the slope", "twice what medians over 40 drops scatter", 0.02),
+                  none("off", "steps that end not more than 1 cm away in the median"),
+                  none("moving", "steps at which a drop ends with less than 1e-6 of its energy")},
        .mutants = {{"impact/published.hpp", "const T limit = -(c.friction * j)",
                     "const T limit = -(c.friction * j / T(2))"},
                    {"drop/contact_motion.hpp", "now.height = geometry.height;",

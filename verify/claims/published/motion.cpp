@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/samples/motion.hpp"
 
@@ -21,7 +22,6 @@ namespace goishi::verify {
 
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr double frame = 1.0 / 60.0;  // [s]
 constexpr double duration = 10.0;     // [s]
@@ -48,7 +48,7 @@ double tilt(const State<double>& state) {
 // --- PUBLISHED-7
 
 /// One frame about the symmetry axis at 75 rad/s.
-void see_turn(Worst& worst, std::vector<Figure>& figures, const Context& context) {
+void see_turn(Checks& checks, std::vector<Figure>& figures, const Context& context) {
   constexpr double rate = 75.0;  // [rad/s]
   const Moments<double> moments = published_stone();
   State<double> start = published_start();
@@ -59,10 +59,10 @@ void see_turn(Worst& worst, std::vector<Figure>& figures, const Context& context
   const double published = angle(stepper_of(Scheme::published, moments).step(start, frame).state);
   const double right = angle(free_flight(start, moments, Vec3<double>(Vec3<double>::Zero()), frame));
   const double percent = 100.0 * (published / right - 1.0);
-  worst.see(std::fabs(percent + 10.6) / 0.05, [] { return "−10.6 % at 75 rad/s and 60 Hz"; });
-  worst.see(std::fabs(published / (2.0 * std::atan(rate * frame / 2.0)) - 1.0), 4.0 * epsilon,
-            [] { return "2 atan(ωΔt/2)"; });
-  worst.see(std::fabs(right / (rate * frame) - 1.0), 4.0 * epsilon, [] { return "ωΔt"; });
+  checks["digits"].see(std::fabs(percent + 10.6), 0.1, [] { return "−10.6 % at 75 rad/s and 60 Hz"; });
+  checks["turn"].see(std::fabs(published / (2.0 * std::atan(rate * frame / 2.0)) - 1.0), epsilon,
+                     [] { return "2 atan(ωΔt/2)"; });
+  checks["turn"].see(std::fabs(right / (rate * frame) - 1.0), epsilon, [] { return "ωΔt"; });
   figures.push_back({"published: a step at 75 rad/s and 60 Hz turns by",
                      fmt::format("{:.6f} rad, {:+.1f} %; right is {:.6f} rad", published, percent, right)});
 }
@@ -78,10 +78,9 @@ Measurement measure_constant_velocity(Context& context) {
   const double wander = 2.0 * w_WB.cross(start.L_W).norm() / (w_WB.norm() * size);
   const double turn = 2.0 * std::atan(w_WB.norm() * frame / 2.0);
   const int steps = static_cast<int>(std::lround(duration / frame));
-  // Velocity is made of momentum and back in every step, and may drift by 2 ε in each: so does the phase, n²/2 times.
-  const double drift = 2.0 * epsilon * steps;
-  const double phase_drift = drift / 2.0 * turn * steps;
-  Worst worst;
+  // Velocity is made of momentum and back in every step, a random walk; the phase goes with it.
+  const double walk = epsilon * std::sqrt(steps), phase_walk = walk * turn * steps;
+  Checks checks;
   State<double> state = start;
   double greatest = 0.0, sum = 0.0;
   for (int i = 1; i <= steps; ++i) {
@@ -89,21 +88,21 @@ Measurement measure_constant_velocity(Context& context) {
     const double wandered = context.produced((state.L_W - start.L_W).norm()) / size;
     greatest = std::max(greatest, wandered);
     sum += wandered;
-    worst.see(std::fabs(wandered - wander * std::fabs(std::sin(turn * i / 2.0))), phase_drift,
-              [&] { return fmt::format("L after {} steps", i); });
-    worst.see(std::fabs(context.produced(formula::rotational_energy(state, loop.body())) / energy - 1.0), drift,
-              [&] { return fmt::format("energy after {} steps", i); });
+    const auto describe_it = [&] { return fmt::format("after {} steps", i); };
+    checks["momentum"].see(std::fabs(wandered - wander * std::fabs(std::sin(turn * i / 2.0))), phase_walk, describe_it);
+    checks["energy"].see(std::fabs(context.produced(formula::rotational_energy(state, loop.body())) / energy - 1.0),
+                         walk, describe_it);
   }
   // A ball that starts with the same angular velocity turns alike.
   const Stepper<double> ball = stepper_of(Scheme::published, {.axial = 0.3, .transverse = 0.3});
   State<double> ball_start = start;
   ball_start.L_W = formula::angular_momentum_W(start.q_WB, ball.body(), w_WB);
   const Quat<double> ball_end(context.produced(ball.advance(ball_start, frame, steps).state.q_WB.coeffs().eval()));
-  worst.see(attitude_difference(ball_end, state.q_WB), 2.0 * phase_drift, [] { return "the ball's attitude"; });
+  checks["ball"].see(attitude_difference(ball_end, state.q_WB), phase_walk, [] { return "its attitude"; });
   const State<double> right = free_flight(start, moments, Vec3<double>(Vec3<double>::Zero()), duration);
   std::vector<Figure> turn_figure;
-  see_turn(worst, turn_figure, context);
-  Measurement result = worst.measurement();
+  see_turn(checks, turn_figure, context);
+  Measurement result = checks.measurement();
   result.figures = {
       turn_figure.front(),
       {"published: L wanders from its start by", fmt::format("{:.1f} % of |L| on average, {:.1f} % at most, in {} s",
@@ -126,7 +125,7 @@ Measurement measure_parabola(Context& context) {
   const Vec3<double> printed_gravity = gravity_W(9.8 * 10.0);
   const Vec3<double> right_gravity = gravity_W(980.0);
   const RigidBody<double> body = make_rigid_body(1.0, published_stone());
-  Worst worst;
+  Checks checks;
   double late = 0.0;
   for (int i = 0; i < context.samples(200, 2000); ++i) {
     State<double> start = published_start();
@@ -139,18 +138,18 @@ Measurement measure_parabola(Context& context) {
     const State<double> parabola = formula::ballistic_flight(start, printed_gravity, t);
     const Vec3<double> off = context.produced(published.p_WB) - parabola.p_WB;
     const double reach = start.p_WB.norm() + (start.v_WB.norm() + printed_gravity.norm() * t) * t;
-    worst.see((off - t * frame / 2.0 * printed_gravity).norm(), 2.0 * steps * epsilon * reach,
-              [&] { return fmt::format("g t Δt/2 after {} steps", steps); });
+    checks["parabola"].see((off - t * frame / 2.0 * printed_gravity).norm(), epsilon * std::sqrt(steps) * reach,
+                           [&] { return fmt::format("after {} steps", steps); });
     // √10 times as long, under a tenth of gravity: the same fall from rest.
     start.v_WB.setZero();
     const Vec3<double> fall = formula::ballistic_flight(start, right_gravity, t).p_WB - start.p_WB;
     const Vec3<double> slow_fall =
         formula::ballistic_flight(start, printed_gravity, std::sqrt(10.0) * t).p_WB - start.p_WB;
-    worst.see((context.produced(slow_fall) - fall).norm(), 16.0 * epsilon * (fall.norm() + start.p_WB.norm()),
-              [&] { return fmt::format("√10 times as long, {} s", t); });
+    checks["fall"].see((context.produced(slow_fall) - fall).norm(), epsilon * (fall.norm() + start.p_WB.norm()),
+                       [&] { return fmt::format("√10 times as long as {} s", t); });
     late = std::max(late, off.norm());
   }
-  Measurement result = worst.measurement();
+  Measurement result = checks.measurement();
   const auto fall_time = [](double g) { return std::sqrt(2.0 * 100.0 / g); };
   result.figures = {
       {"published: below the parabola of its own gravity by", fmt::format("{:.4f} cm at most in 2 s", late)},
@@ -215,7 +214,7 @@ Measurement measure_exact(Context& context) {
   const RigidBody<double> body = make_rigid_body(1.0, moments);
   const Flight flight = {body, start};
   TrueAttitude truth(flight);
-  Worst worst;
+  Checks checks;
   State<double> end;
   for (int i = 1; i <= 100; ++i) {
     const double t = duration * i / 100;
@@ -223,16 +222,16 @@ Measurement measure_exact(Context& context) {
     const Quat<double> q_WB(context.produced(end.q_WB.coeffs().eval()));
     const double angle =
         start.L_W.norm() / moments.transverse + start.L_W.z() * (1.0 / moments.transverse - 1.0 / moments.axial);
-    worst.see(attitude_difference(q_WB, truth.at(static_cast<long double>(t))), 8.0 * epsilon * (1.0 + angle * t),
-              [&] { return fmt::format("attitude at {} s", t); });
-    worst.see(
+    const auto describe_it = [&] { return fmt::format("at {} s", t); };
+    checks["attitude"].see(attitude_difference(q_WB, truth.at(static_cast<long double>(t))),
+                           epsilon * (1.0 + angle * t), describe_it);
+    checks["energy"].see(
         std::fabs(context.produced(formula::rotational_energy(end, body)) / formula::rotational_energy(start, body) -
                   1.0),
-        16.0 * epsilon, [&] { return fmt::format("energy at {} s", t); });
-    worst.see(std::fabs(context.produced(tilt(end)) - tilt(start)) * degree, 16.0 * epsilon,
-              [&] { return fmt::format("angle between axis and L at {} s", t); });
+        epsilon, describe_it);
+    checks["tilt"].see(std::fabs(context.produced(tilt(end)) - tilt(start)) * degree, epsilon, describe_it);
   }
-  Measurement result = worst.measurement();
+  Measurement result = checks.measurement();
   const Vec3<double> axis = formula::symmetry_axis(end.q_WB);
   result.figures = {
       {"right: attitude after 10 s (w, x, y, z)",
@@ -254,13 +253,13 @@ std::vector<Claim> published_motion_claims() {
        .function = "Stepper, published",
        .family = OracleFamily::published,
        .oracle = "the loop's own motion in closed form, at L = (1, 2, 8), 60 Hz, 10 s; −10.6 % at 75 rad/s",
-       .checks = {{.unit = "of the bound of each",
-                   .bound = 1.0,
-                   .reason =
-                       "half a unit of the last digit of −10.6 %, 4 ε of a step's angle; the velocity is made of the "
-                       "momentum "
-                       "and back in each of n steps, 2 ε n, and the phase drifts with it, ε n of the angle turned",
-                   .resolution = 0.02}},
+       .checks = {within("digits", 0.5, "last digits of −10.6 %", "half a unit of the last printed digit", 0.1),
+                  within("turn", 4.0, "ε", "an arctangent, a root and two quotients", 0.5),
+                  within("energy", 8.0, "ε √n", "a random walk: four roundings in each step"),
+                  within("momentum", 0.5, "ε √n of the angle turned",
+                         "the energy's random walk, half of it in the rate; "
+                         "measured 2026-11-30: 0.09"),
+                  within("ball", 3.0, "ε √n of the angle turned", "two such walks; measured 2026-11-30: 0.6")},
        .mutants = {{"motion/steppers.hpp", "formula::raw_euler_attitude(q, w_WB, dt).normalized()",
                     "formula::exponential_euler_attitude(q, w_WB, dt)"},
                    {"motion/steppers.hpp", "angular_momentum_W(next, body_", "angular_momentum_W(q, body_"},
@@ -273,11 +272,10 @@ std::vector<Claim> published_motion_claims() {
        .function = "Stepper, published; ballistic_flight",
        .family = OracleFamily::exact,
        .oracle = "the sum of the loop's series; the scaling of a fall",
-       .checks = {{.unit = "of the bound of each",
-                   .bound = 1.0,
-                   .reason =
-                       "2 ε of the way a step; 16 ε of a fall, whose time is rounded, squared and added to a height",
-                   .resolution = 0.02}},
+       .checks = {within("parabola", 4.0, "ε √n of the way",
+                         "a random walk: each step rounds a velocity and a position", 0.25),
+                  within("fall", 16.0, "ε of the fall and its height",
+                         "the time is rounded, squared and multiplied, and the fall added to a height, twice", 0.5)},
        .mutants = {{"motion/steppers.hpp", "p += dt * v;", "p += dt * (v - gain);"},
                    {"motion/free_flight.hpp", "state.v_WB + gain / T(2)", "state.v_WB + gain"},
                    {"motion/steppers.hpp", "gain = dt * gravity_", "gain = dt / T(2) * gravity_"}},
@@ -290,10 +288,7 @@ std::vector<Claim> published_motion_claims() {
        .function = "Stepper, explicit_euler",
        .family = OracleFamily::published,
        .oracle = "the numbers of the original program's second scheme, and the limit I_a/I_t − 1 = 69.9 %",
-       .checks = {{.unit = "last printed digits",
-                   .bound = 0.5,
-                   .reason = "half a unit of the last printed digit",
-                   .resolution = 0.5}},
+       .checks = {within("", 0.5, "last printed digits", "half a unit of the last printed digit", 0.5)},
        .mutants = {{"motion/step_formulas.hpp", "T(q_WB.x() + dt * rate.x())", "T(q_WB.x() - dt * rate.x())"},
                    {"motion/steppers.hpp", "inverse_moments_(body.moments.cwiseInverse())",
                     "inverse_moments_(body.moments.cwiseInverse() * T(2))"}},
@@ -305,10 +300,10 @@ std::vector<Claim> published_motion_claims() {
        .function = "free_flight",
        .family = OracleFamily::integration,
        .oracle = "the raw Newton–Euler equations by Taylor series in long double; energy and angle at the start",
-       .checks = {{.unit = "of the bound of each",
-                   .bound = 1.0,
-                   .reason = "FLIGHT-1's bound for the attitude; 16 ε of energy and angle, a dozen roundings",
-                   .resolution = 0.02}},
+       .checks = {within("attitude", 5.5, "ε (1 + phase)", "FLIGHT-1's: 2.5 ε of each angle, 3 ε for the products",
+                         0.5),
+                  within("energy", 16.0, "ε", "a dozen roundings", 1.0),
+                  within("tilt", 8.0, "ε", "the axis is off by two products of four roundings each", 0.5)},
        .mutants = {{"motion/free_flight.hpp", "const T precession = T(1) / moments.transverse",
                     "const T precession = T(1) / moments.axial"},
                    {"motion/free_flight.hpp", "formula::product(precession, spun)",

@@ -8,6 +8,7 @@
 #include <goishi/shape/catalogue.hpp>
 #include <numbers>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/oracles/published/bevel.hpp"
 
@@ -66,10 +67,10 @@ Measurement measure_dimensions(Context& context) {
                         published_volume(published_width, published_height);
   const double right = mass_properties(make_stone(2.0 * published_width, 2.0 * published_height), Density{1.0}).volume /
                        right_properties().volume;
-  Worst worst;
-  worst.see(std::fabs(context.produced(right) - 8.0), [] { return "production's volume, lengths doubled"; });
-  worst.see(growth < 4.0 ? 0.0 : 1.0, [] { return "V', lengths doubled: it grows like an area at most"; });
-  Measurement result = worst.measurement();
+  Checks checks;
+  checks["volume"].see(std::fabs(context.produced(right) - 8.0), [] { return "lengths doubled"; });
+  see_choice(checks["V'"], growth < 4.0, [] { return "lengths doubled: it grows like an area at most"; });
+  Measurement result = checks.measurement();
   result.figures = {{"V' grows by", fmt::format("{:.4f} when lengths double", growth)},
                     {"a volume grows by", fmt::format("{:.4f}", right)}};
   return result;
@@ -113,12 +114,15 @@ GridSum grid_sum() {
 
 Measurement measure_grid(Context& context) {
   const GridSum sum = grid_sum();
-  Worst worst;
-  worst.see(std::fabs(sum.transverse_x - printed_transverse) / 1e-6, [] { return "I_x"; });
-  worst.see(std::fabs(sum.axial - printed_axial) / 1e-6, [] { return "I_y"; });
-  worst.see(std::fabs(sum.transverse_z - printed_transverse) / 1e-6, [] { return "I_z"; });
-  worst.see(std::fabs(context.produced(static_cast<double>(sum.nodes)) - 2176.0), [] { return "nodes counted"; });
-  Measurement result = worst.measurement();
+  Checks checks;
+  const auto see = [&](double summed, double printed, const char* name) {
+    checks["digits"].see(std::fabs(context.produced(summed) - printed), 1e-6, [&] { return name; });
+  };
+  see(sum.transverse_x, printed_transverse, "I_x");
+  see(sum.axial, printed_axial, "I_y");
+  see(sum.transverse_z, printed_transverse, "I_z");
+  see_choice(checks["nodes"], sum.nodes == 2176, [&] { return fmt::format("{}", sum.nodes); });
+  Measurement result = checks.measurement();
   result.figures = {
       {"grid sum", fmt::format("diag({:.6f}, {:.6f}, {:.6f}) cm²", sum.transverse_x, sum.axial, sum.transverse_z)},
       {"nodes inside", fmt::format("{}", sum.nodes)}};
@@ -129,21 +133,20 @@ Measurement measure_low(Context& context) {
   const MassProperties<double> right = right_properties();
   const double axial = context.produced(right.moments_per_mass.axial);
   const double transverse = context.produced(right.moments_per_mass.transverse);
-  Worst worst;
-  worst.see(std::fabs(axial - 0.415607) / 1e-6, [] { return "I_a/m"; });
-  worst.see(std::fabs(transverse - 0.244624) / 1e-6, [] { return "I_t/m"; });
+  Checks checks;
+  checks["digits"].see(std::fabs(axial - 0.415607), 1e-6, [] { return "I_a/m"; });
+  checks["digits"].see(std::fabs(transverse - 0.244624), 1e-6, [] { return "I_t/m"; });
   // "27 % low": the deficits are 26.7, 27.0 and 27.3 %.
   for (const double deficit :
        {1.0 - printed_axial / axial, 1.0 - printed_closed_form / axial, 1.0 - printed_transverse / transverse}) {
-    worst.see(std::fabs(deficit - 0.27) / 0.01, [&] { return fmt::format("a deficit of {:.2f} %", 100.0 * deficit); });
+    checks["deficit"].see(std::fabs(deficit - 0.27), 0.01, [&] { return fmt::format("{:.2f} %", 100.0 * deficit); });
   }
   // With the right volume both prints of I_a come right, the grid's to half a percent: they share the density, no more.
   const double density = published_volume(published_width, published_height) / right.volume;
   for (const double print : {printed_axial, printed_closed_form}) {
-    worst.see(std::fabs(print * density / axial - 1.0) / 0.01,
-              [&] { return fmt::format("{} with the right volume", print); });
+    checks["density"].see(std::fabs(print * density / axial - 1.0), 0.01, [&] { return fmt::format("{}", print); });
   }
-  Measurement result = worst.measurement();
+  Measurement result = checks.measurement();
   result.figures = {
       {"printed", fmt::format("diag({}, {}, {}) cm²", printed_transverse, printed_axial, printed_transverse)},
       {"right", fmt::format("diag({0:.6f}, {1:.6f}, {0:.6f}) cm²", transverse, axial)},
@@ -161,13 +164,13 @@ Measurement measure_bevel(Context& context) {
   const Stone<double> right = make_stone(22.0, 9.2, 1.0);
   const double r1 = context.produced(right.bevel_major_radius);
   const double r2 = context.produced(right.bevel_minor_radius);
-  Worst worst;
-  worst.see(std::fabs(wrong.minor_radius + 5.85) / 0.01, [] { return "the published r₂ of −5.85 mm"; });
-  worst.see(std::fabs(r2 - 0.68) / 0.01, [] { return "the right r₂ of 0.68 mm"; });
-  // What is right touches the sphere from inside, r − r₂ = √(d² + r₁²), at height b/2: to 1e-12 mm.
-  worst.see(std::fabs((r - r2) - std::hypot(d, r1)) / 1e-12, [] { return "tangency of the right bevel"; });
-  worst.see(std::fabs(-d + r * d / (r - r2) - 0.5) / 1e-12, [] { return "height of the right joint"; });
-  Measurement result = worst.measurement();
+  Checks checks;
+  checks["digits"].see(std::fabs(wrong.minor_radius + 5.85), 0.01, [] { return "the published r₂ of −5.85 mm"; });
+  checks["digits"].see(std::fabs(r2 - 0.68), 0.01, [] { return "the right r₂ of 0.68 mm"; });
+  // What is right touches the sphere from inside, r − r₂ = √(d² + r₁²), at height b/2.
+  checks["tangency"].see(std::fabs((r - r2) - std::hypot(d, r1)), epsilon * r, [] { return "the sphere"; });
+  checks["tangency"].see(std::fabs(-d + r * d / (r - r2) - 0.5), epsilon * r, [] { return "the joint's height"; });
+  Measurement result = checks.measurement();
   result.figures = {{"published r₁, r₂", fmt::format("{:.4f} mm, {:.4f} mm", wrong.major_radius, wrong.minor_radius)},
                     {"right r₁, r₂", fmt::format("{:.4f} mm, {:.4f} mm", r1, r2)},
                     {"the published r₂ is off by", fmt::format("{:.4f} mm", wrong.minor_radius - r2)}};
@@ -200,7 +203,7 @@ std::vector<Claim> published_claims() {
        .function = "mass_properties, sharp",
        .family = OracleFamily::published,
        .oracle = "the talk's number, and its recipe",
-       .checks = {{.unit = "last printed digits", .bound = 0.5, .reason = half_digit, .resolution = 0.5}},
+       .checks = {within("", 0.5, "last printed digits", half_digit, 0.5)},
        .mutants = {{"mass/inertia.hpp", "T(10) * c4 + a2 * (T(5) * c2 + a2)", "T(10) * c4 + a2 * (T(5) * c2)"}},
        .measure = measure_closed_form},
       {.id = "PUBLISHED-2",
@@ -208,10 +211,9 @@ std::vector<Claim> published_claims() {
        .function = "mass_properties, sharp",
        .family = OracleFamily::relation,
        .oracle = "the same stone, twice as large",
-       .checks = {{.unit = "absolute",
-                   .bound = 1e-14,
-                   .reason = "doubling is exact; two volumes of 1 ulp each, times 8",
-                   .resolution = 16.0 * std::numeric_limits<double>::epsilon()}},
+       .checks = {within("volume", 1e-14, "absolute", "doubling is exact; two volumes of 1 ulp each, times 8",
+                         16.0 * epsilon),
+                  none("V'", "volumes V' that grow by 4 or more")},
        .mutants = {{"mass/volume.hpp", "/ T(3) * a * (", "/ T(3) * ("}},
        .measure = measure_dimensions},
       {.id = "PUBLISHED-3",
@@ -220,7 +222,8 @@ std::vector<Claim> published_claims() {
        .function = "none: the original program's grid sum, written anew here",
        .family = OracleFamily::published,
        .oracle = "the talk's numbers, and their recipe",
-       .checks = {{.unit = "last printed digits", .bound = 0.5, .reason = half_digit, .resolution = 0.5}},
+       .checks = {within("digits", 0.5, "last printed digits", half_digit, 0.5),
+                  none("nodes", "sums of other than 2176 nodes")},
        .mutants = {},
        .measure = measure_grid},
       {.id = "PUBLISHED-4",
@@ -229,10 +232,10 @@ std::vector<Claim> published_claims() {
        .function = "mass_properties, sharp",
        .family = OracleFamily::published,
        .oracle = "the talk's numbers",
-       .checks = {{.unit = "last digits, or percent off 27 %",
-                   .bound = 0.5,
-                   .reason = half_digit + "; half a percent",
-                   .resolution = 0.5}},
+       .checks = {within("digits", 0.5, "last printed digits", half_digit, 0.5),
+                  within("deficit", 0.5, "percent off 27 %", "half a percent", 0.1),
+                  within("density", 0.5, "percent",
+                         "with the right volume the prints are right to half a percent, which the grid's is off", 0.1)},
        .mutants = {{"mass/inertia.hpp", "T(20) * (T(3) * c2 + a2)", "T(20) * (T(3) * c2 - a2)"}},
        .measure = measure_low},
       {.id = "PUBLISHED-5",
@@ -241,10 +244,9 @@ std::vector<Claim> published_claims() {
        .function = "make_stone(width, height, bevel)",
        .family = OracleFamily::published,
        .oracle = "the talk's function, and the tangency of circles",
-       .checks = {{.unit = "0.01 mm, or 1e-12 mm",
-                   .bound = 0.5,
-                   .reason = "half a unit of the last digit of −5.85 and 0.68 mm; tangency to half of 1e-12 mm",
-                   .resolution = 0.01}},
+       .checks = {within("digits", 0.5, "last digits of −5.85 and 0.68 mm", half_digit, 0.1),
+                  within("tangency", 4.0, "ε of the sphere's radius",
+                         "four lengths rounded once each, a root and a quotient", 0.5)},
        .mutants = {{"shape/bevel.hpp", "T(2) * sphere_offset + (height + bevel_height) / T(2)",
                     "T(2) * sphere_offset + height / T(2)"}},
        .measure = measure_bevel},
@@ -253,11 +255,9 @@ std::vector<Claim> published_claims() {
        .function = "catalogue_stone",
        .family = OracleFamily::published,
        .oracle = "the Nihon Ki-in's figure",
-       .checks = {{.unit = "µm",
-                   .bound = 1.1e-11,
-                   .reason =
-                       "the two widths are each rounded, and 0.3 mm as it is written here: 3 ulp of 22 mm are 1e-11 µm",
-                   .resolution = 3.5e-12}},
+       .checks = {within(
+           "", 1.1e-11, "µm",
+           "the two widths are each rounded, and 0.3 mm as it is written here: 3 ulp of 22 mm are 1e-11 µm", 3.5e-12)},
        .mutants = {{"shape/catalogue.hpp", "black_wider = 300", "black_wider = 3000"}},
        .measure = measure_black},
   };

@@ -9,14 +9,13 @@
 #include <goishi/contact/stone_board.hpp>
 #include <string>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/samples/pose.hpp"
 
 namespace goishi::verify {
 
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // --- regions
 
@@ -110,7 +109,7 @@ Measurement measure_regions(Context& context) {
 // --- rays
 
 Measurement measure_rays(Context& context) {
-  Worst worst;
+  Checks checks;
   for (int i = 0; i < context.samples(20000, 200000); ++i) {
     const Board<double> board = draw_board(context, i / 8);
     const Vec3<double> size(board.half_width, board.half_length, board.thickness / 2.0);
@@ -134,12 +133,17 @@ Measurement measure_rays(Context& context) {
       return std::max(
           {std::fabs(x.x()) - board.half_width, std::fabs(x.y()) - board.half_length, x.z(), -board.thickness - x.z()});
     };
-    const auto see = [&](double error, const char* name) {
-      worst.see(error, scale, [&] {
-        return fmt::format("{}: board {:a} × {:a} × {:a}, p = {}, u = {}", name, board.half_width, board.half_length,
-                           board.thickness, describe(p), describe(u));
-      });
+    const auto describe_it = [&](const char* what) {
+      return fmt::format("{}: board {:a} × {:a} × {:a}, p = {}, u = {}", what, board.half_width, board.half_length,
+                         board.thickness, describe(p), describe(u));
     };
+    const auto see = [&](const char* check, double error, const char* what) {
+      checks[check].see(error, scale, [&] { return describe_it(what); });
+    };
+    const auto choose = [&](bool right, const char* what) {
+      see_choice(checks["choices"], right, [&] { return describe_it(what); });
+    };
+    const double round_off = 4.0 * epsilon * scale;
     if (!hit.hit) {
       // Convex along the line: nowhere inside, at points that close in on the nearest.
       double low = -p.dot(u) - 2.0, high = -p.dot(u) + 2.0;
@@ -147,24 +151,27 @@ Measurement measure_rays(Context& context) {
         const double one = low + (high - low) / 3.0, other = high - (high - low) / 3.0;
         (outside(one) < outside(other) ? high : low) = outside(one) < outside(other) ? other : one;
       }
-      see(-outside((low + high) / 2.0), "it passes, and is inside");
+      choose(outside((low + high) / 2.0) > -round_off, "it passes, and is inside");
       continue;
     }
     const double entry = context.produced(hit.entry), exit = context.produced(hit.exit);
-    see(std::fabs(outside(entry)), "entry");
-    see(std::fabs(outside(exit)), "exit");
-    see(outside((entry + exit) / 2.0), "between");
-    see(hit.forward == (exit >= 0.0) ? 0.0 : scale, "forward");
+    see("ends", std::fabs(outside(entry)), "entry");
+    see("ends", std::fabs(outside(exit)), "exit");
+    choose(outside((hit.entry + hit.exit) / 2.0) < round_off, "outside between entry and exit");
+    choose(hit.forward == (hit.exit >= 0.0), "forward");
     if (hit.forward) {
-      see(std::fabs(hit.first - (hit.entry < 0.0 ? hit.exit : hit.entry)), "first");
-      see((hit.p_W - (p + hit.first * u)).norm(), "the point");
+      const double first = hit.entry < 0.0 ? hit.exit : hit.entry;
+      choose(hit.first >= first && hit.first <= first, "first");
+      const Vec3<double> at = context.produced(hit.p_W);
+      see("hit point", (at - (p + hit.first * u)).norm(), "from the ray");
       // Out of the board there; against the ray from outside, along it from inside.
-      see(std::fabs(std::fabs(hit.n_W.dot(hit.p_W + size.z() * Vec3<double>::UnitZ())) - size.dot(hit.n_W.cwiseAbs())),
-          "the face");
-      see(hit.n_W.dot(u) * (hit.entry < 0.0 ? 1.0 : -1.0) >= 0.0 ? 0.0 : scale, "the normal's direction");
+      see("hit point",
+          std::fabs(std::fabs(hit.n_W.dot(at + size.z() * Vec3<double>::UnitZ())) - size.dot(hit.n_W.cwiseAbs())),
+          "from the face");
+      choose(hit.n_W.dot(u) * (hit.entry < 0.0 ? 1.0 : -1.0) >= 0.0, "the normal's direction");
     }
   }
-  return worst.measurement();
+  return checks.measurement();
 }
 
 }  // namespace
@@ -177,7 +184,7 @@ std::vector<Claim> board_claims() {
        .function = "region_of",
        .family = OracleFamily::invariant,
        .oracle = "the normal of the separation, which CONTACT-2 judges, at poses of every stratum",
-       .checks = {{.unit = "poses", .bound = 0.0, .reason = "there must be none", .resolution = 0.0, .counts = true}},
+       .checks = {none("", "poses")},
        .mutants = {{"board/board.hpp", "board.half_width - reach < x", "board.half_width < x"},
                    {"board/board.hpp", "board.half_length + reach < y", "board.half_length < y"},
                    {"board/board.hpp", "const bool bottom = p_W.y() < T(0);", "const bool bottom = p_W.x() < T(0);"}},
@@ -189,10 +196,11 @@ std::vector<Claim> board_claims() {
        .function = "cast_ray (board)",
        .family = OracleFamily::invariant,
        .oracle = "inside the box or not, along the ray",
-       .checks = {{.unit = "of the board and the distance",
-                   .bound = 1e-14,
-                   .reason = "a difference and a quotient of up to 10 m, and the point p + t u, each rounded once",
-                   .resolution = epsilon}},
+       .checks = {within("ends", 4.0 * epsilon, "of the board and the distance",
+                         "a difference, a quotient, a product and a sum, each rounded once", epsilon),
+                  within("hit point", 4.0 * epsilon, "of the board and the distance",
+                         "p + t u is rounded twice in each coordinate, and is set upon the face", epsilon),
+                  none("choices", "hits, orders and normals that are wrong")},
        .mutants = {{"board/ray.hpp", "if (exit.t < entry.t) {", "if (exit.t < T(0)) {"},
                    {"board/ray.hpp", "Vec3<T> low(-board.half_width, -board.half_length, -board.thickness)",
                     "Vec3<T> low(-board.half_width, -board.half_length, T(-2) * board.thickness)"},

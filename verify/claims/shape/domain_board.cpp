@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/oracles/numbers/multiprecision.hpp"
 #include "verify/samples/domain.hpp"
@@ -89,7 +90,7 @@ std::string region_at(int x, int y) {
 }
 
 template <class T>
-void see_regions(Context& context, Worst& worst, const Board<T>& board, int i) {
+void see_regions(Context& context, Checks& checks, const Board<T>& board, int i) {
   const T reach = i % 5 == 0   ? T(0)
                   : i % 5 == 1 ? board.half_width
                                : any_size<T>(context.random(), i % 2 == 0 ? 1.0 : size_reach<T>) * board.half_width;
@@ -114,7 +115,7 @@ void see_regions(Context& context, Worst& worst, const Board<T>& board, int i) {
   const T sum = p.x() + p.y() + p.z();
   const auto answer = answer_of(mode, [&] { return region_of(board, p, reach); });
   if (!std::isfinite(reach) || !std::isfinite(sum)) {
-    worst.see(answer && mode == FE_TONEAREST ? NAN : 0.0, [&] { return "taken: " + describe_it(); });
+    see_choice(checks["refusals"], !(answer && mode == FE_TONEAREST), [&] { return "taken: " + describe_it(); });
     return;
   }
   bool close = false, beyond = p.z() > reach;
@@ -127,14 +128,12 @@ void see_regions(Context& context, Worst& worst, const Board<T>& board, int i) {
   };
   const int x = side(p.x(), board.half_width), y = side(p.y(), board.half_length);
   const std::string expected = beyond ? "out of reach" : region_at(x, y);
-  worst.see(!answer                                   ? NAN
-            : close || to_string(*answer) == expected ? 0.0
-                                                      : NAN,
-            [&] { return fmt::format("not {}: {}", expected, describe_it()); });
+  see_choice(checks["regions"], answer && (close || to_string(*answer) == expected),
+             [&] { return fmt::format("not {}: {}", expected, describe_it()); });
 }
 
 template <class T>
-void see_boards(Context& context, Worst& worst, int count) {
+void see_boards(Context& context, Checks& checks, int count) {
   for (int i = 0; i < count; ++i) {
     const BoardDimensions<T> d = draw_dimensions<T>(context, i);
     const int mode = mode_of(i);
@@ -149,13 +148,13 @@ void see_boards(Context& context, Worst& worst, int count) {
     const bool one_line = d.lines == 1 && (!(T(0) < d.border_x) || !(T(0) < d.border_y));
     if (!board || !rounded || one_line || !(half_width < most<T>()) || !(half_length < most<T>()) ||
         !(height < most<T>())) {
-      worst.see(!board && (one_line || greatest > most<T>() * Digits50(0.999)) ? 0.0 : NAN,
-                [&] { return (board ? "taken: " : "refused: ") + describe_it(); });
+      see_choice(checks["refusals"], !board && (one_line || greatest > most<T>() * Digits50(0.999)),
+                 [&] { return (board ? "taken: " : "refused: ") + describe_it(); });
       continue;
     }
-    worst.see(ulps<T>(context.produced(rounded->half_width), half_width), describe_it);
-    worst.see(ulps<T>(context.produced(rounded->half_length), half_length), describe_it);
-    worst.see(ulps<T>(context.produced(rounded->floor), Digits50(-height)), describe_it);
+    checks["sides"].see(ulps<T>(context.produced(rounded->half_width), half_width), describe_it);
+    checks["sides"].see(ulps<T>(context.produced(rounded->half_length), half_length), describe_it);
+    checks["sides"].see(ulps<T>(context.produced(rounded->floor), Digits50(-height)), describe_it);
     // The ends, the middle, any.
     const std::array<int, 4> places = {0, d.lines - 1, (d.lines - 1) / 2,
                                        static_cast<int>(context.uniform(0.0, 0.999) * d.lines)};
@@ -163,26 +162,26 @@ void see_boards(Context& context, Worst& worst, int count) {
     const auto at = answer_of(mode, [&] { return intersection(*board, k, m); });
     const auto see_place = [&](const T& computed, int line, const T& spacing) {
       const Digits50 exact = (Digits50(line) - Digits50(d.lines - 1) / 2) * Digits50(spacing);
-      worst.see(ulps<T>(context.produced(computed), exact),
-                [&] { return fmt::format("line {}: {}", line, describe_it()); });
+      checks["intersections"].see(ulps<T>(context.produced(computed), exact),
+                                  [&] { return fmt::format("line {}: {}", line, describe_it()); });
     };
     see_place(at ? at->x() : T(NAN), k, d.spacing_x);
     see_place(at ? at->y() : T(NAN), m, d.spacing_y);
-    worst.see(at && !(T(0) < at->z()) && !(at->z() < T(0)) ? 0.0 : NAN, describe_it);
-    const auto none = answer_of(mode, [&] { return intersection(*board, k, i % 2 == 0 ? -1 : d.lines); });
-    worst.see(none ? NAN : 0.0, [&] { return "a line that is none: " + describe_it(); });
+    checks["intersections"].see(at && !(T(0) < at->z()) && !(at->z() < T(0)) ? 0.0 : NAN, describe_it);
+    const auto no_line = answer_of(mode, [&] { return intersection(*board, k, i % 2 == 0 ? -1 : d.lines); });
+    see_choice(checks["refusals"], !no_line, [&] { return "a line that is none: " + describe_it(); });
     const auto stars = star_points(*board);
     const bool right = std::set<std::pair<int, int>>(stars.begin(), stars.end()) == listed_stars(d.lines) &&
                        stars.size() == listed_stars(d.lines).size();
-    worst.see(right ? 0.0 : NAN, [&] { return "star points: " + describe_it(); });
-    see_regions(context, worst, *board, i);
+    see_choice(checks["star points"], right, describe_it);
+    see_regions(context, checks, *board, i);
   }
   const T nan = std::numeric_limits<T>::quiet_NaN(), infinite = std::numeric_limits<T>::infinity();
   const Board<T> board = make_board<T>(), unset;
   const Vec3<T> here(T(0), T(0), T(0));
   const auto refused = [&](const char* name, const Board<T>& of, const Vec3<T>& p, const T& reach) {
-    worst.see(answer_of(FE_TONEAREST, [&] { return region_of(of, p, reach); }) ? NAN : 0.0,
-              [&] { return std::string("taken: ") + name; });
+    see_choice(checks["refusals"], !answer_of(FE_TONEAREST, [&] { return region_of(of, p, reach); }),
+               [&] { return std::string("taken: ") + name; });
   };
   refused("no position", board, Vec3<T>(nan, T(0), T(0)), T(1));
   refused("no height", board, Vec3<T>(T(0), T(0), nan), T(1));
@@ -193,10 +192,10 @@ void see_boards(Context& context, Worst& worst, int count) {
 }
 
 Measurement measure_boards(Context& context) {
-  Worst worst;
-  see_boards<double>(context, worst, context.samples(2000, 20'000));
-  see_boards<float>(context, worst, context.samples(2000, 20'000));
-  return worst.measurement();
+  Checks checks;
+  see_boards<double>(context, checks, context.samples(2000, 20'000));
+  see_boards<float>(context, checks, context.samples(2000, 20'000));
+  return checks.measurement();
 }
 
 // --- rays
@@ -246,38 +245,40 @@ Digits50 ulp_at(const Digits50& x) {
   return std::max(Digits50(abs(x) * Digits50(epsilon_in<T>)), Digits50(std::numeric_limits<T>::denorm_min()));
 }
 
-/// How far off a hit is, in ulps; NaN where it says what is not so.
+/// Whether an answer says what its entry and exit do: the first ahead, the face's normal, a place on the face.
 template <class T>
-double hit_error(const Context& context, const BoardRayHit<T>& hit, const Slab& slab, const Digits3& low,
-                 const Digits3& high, const Vec3<T>& p, const Vec3<T>& u) {
-  const auto off = [&](const T& computed, const Digits50& exact) {
-    return static_cast<double>(Digits50(abs(Digits50(context.produced(computed)) - exact) / ulp_at<T>(exact)));
-  };
-  double error = std::max(off(hit.entry, slab.entry), off(hit.exit, slab.exit));
+bool is_consistent(const BoardRayHit<T>& hit, const Digits3& low, const Digits3& high) {
   if (hit.forward != !(hit.exit < T(0))) {
-    return NAN;
+    return false;
   }
   if (!hit.forward) {
-    return error;
+    return true;
   }
   const T t = hit.entry < T(0) ? hit.exit : hit.entry;
   const int face = static_cast<int>(hit.face), axis = face < 2 ? 2 : (face - 2) / 2;
   const bool upper = face == 0 || face == 3 || face == 5;
-  const Digits50 of_face = upper ? high[axis] : low[axis];
   const Vec3<T> n = T(upper ? 1 : -1) * Vec3<T>::Unit(axis);
-  if (!(hit.first <= t && t <= hit.first) || hit.n_W != n || Digits50(hit.p_W[axis]) != of_face) {
-    return NAN;
+  return hit.first <= t && t <= hit.first && hit.n_W == n &&
+         Digits50(hit.p_W[axis]) == (upper ? high[axis] : low[axis]);
+}
+
+/// Where the ray goes in and out, and where it hits, in ulps.
+template <class T, class Describe>
+void see_hit(const Context& context, Checks& checks, const BoardRayHit<T>& hit, const Slab& slab, const Vec3<T>& p,
+             const Vec3<T>& u, Describe&& describe) {
+  const auto off = [&](const T& computed, const Digits50& exact, const Digits50& unit) {
+    return static_cast<double>(Digits50(abs(Digits50(context.produced(computed)) - exact) / unit));
+  };
+  checks["ends"].see(off(hit.entry, slab.entry, ulp_at<T>(slab.entry)), describe);
+  checks["ends"].see(off(hit.exit, slab.exit, ulp_at<T>(slab.exit)), describe);
+  for (int k = 0; hit.forward && k < 3; ++k) {
+    const Digits50 way = Digits50(hit.first) * Digits50(u[k]), from(p[k]);
+    checks["hit point"].see(off(hit.p_W[k], Digits50(from + way), ulp_at<T>(Digits50(abs(from) + abs(way)))), describe);
   }
-  for (int k = 0; k < 3; ++k) {
-    const Digits50 way = Digits50(t) * Digits50(u[k]);
-    const Digits50 unit = ulp_at<T>(Digits50(abs(Digits50(p[k])) + abs(way)));
-    error = std::max(error, static_cast<double>(Digits50(abs(Digits50(hit.p_W[k]) - Digits50(p[k]) - way) / unit)));
-  }
-  return error;
 }
 
 template <class T>
-void see_rays(Context& context, Worst& worst, int count) {
+void see_rays(Context& context, Checks& checks, int count) {
   for (int i = 0; i < count; ++i) {
     const Board<T> board = draw_any_board<T>(context, i);
     const Vec3<T> size(board.half_width, board.half_length, board.thickness);
@@ -303,35 +304,37 @@ void see_rays(Context& context, Worst& worst, int count) {
     const Slab slab = exact_slab<T>(low, high, p, u);
     const Digits50 farthest = std::max(abs(slab.entry), abs(slab.exit));
     const bool meets = slab.entry <= slab.exit;
+    const auto choose = [&](const char* check, bool right, const char* what) {
+      see_choice(checks[check], right, [&] { return what + describe_it(); });
+    };
     if (!std::isfinite(sum) || farthest > most<T>() * Digits50(0.999)) {
       const bool wrong = answer && answer->hit && mode == FE_TONEAREST && (!std::isfinite(sum) || farthest > most<T>());
-      worst.see(wrong ? NAN : 0.0, [&] { return "taken: " + describe_it(); });
+      choose("refusals", !wrong, "taken: ");
     } else if (!answer) {
-      worst.see(NAN, [&] { return "refused: " + describe_it(); });
+      choose("refusals", false, "refused: ");
     } else if (answer->hit != meets) {
-      const Digits50 apart = abs(slab.exit - slab.entry) / ulp_at<T>(farthest);
-      worst.see(apart < 1e6 ? static_cast<double>(apart) : NAN,
-                [&] { return (meets ? "passes: " : "meets: ") + describe_it(); });
+      choose("choices", abs(slab.exit - slab.entry) <= 4 * ulp_at<T>(farthest), meets ? "passes: " : "meets: ");
     } else if (meets) {
-      worst.see(hit_error(context, *answer, slab, low, high, p, u), describe_it);
+      choose("choices", is_consistent(*answer, low, high), "it says what is not so: ");
+      see_hit(context, checks, *answer, slab, p, u, describe_it);
     } else {
-      worst.see(0.0, describe_it);
+      choose("choices", true, "");
     }
   }
   const Vec3<T> above(T(0), T(0), T(1)), down(T(0), T(0), T(-1));
-  worst.see(answer_of(FE_TONEAREST, [&] { return cast_ray(Board<T>{}, above, down); }) ? NAN : 0.0,
-            [] { return "taken: no board"; });
+  see_choice(checks["refusals"], !answer_of(FE_TONEAREST, [&] { return cast_ray(Board<T>{}, above, down); }),
+             [] { return "taken: no board"; });
   const T huge = std::numeric_limits<T>::max() * T(0.9);
   const Board<T> wide = make_board<T>({.lines = 1, .border_x = huge});
   const auto across = [&] { return cast_ray(wide, Vec3<T>(-huge, T(0), T(0)), Vec3<T>(T(1), T(0), T(0))); };
-  worst.see(answer_of(FE_TONEAREST, across) ? NAN : 0.0, [] { return "taken: an exit that overflows"; });
+  see_choice(checks["refusals"], !answer_of(FE_TONEAREST, across), [] { return "taken: an exit that overflows"; });
 }
 
 Measurement measure_rays(Context& context) {
-  Worst worst;
-  see_rays<double>(context, worst, context.samples(3000, 30'000));
-  see_rays<float>(context, worst, context.samples(3000, 30'000));
-  return worst.measurement();
+  Checks checks;
+  see_rays<double>(context, checks, context.samples(3000, 30'000));
+  see_rays<float>(context, checks, context.samples(3000, 30'000));
+  return checks.measurement();
 }
 
 }  // namespace
@@ -346,10 +349,13 @@ std::vector<Claim> domain_board_claims() {
        .function = "make_board, intersection, star_points, region_of",
        .family = OracleFamily::other_formula,
        .oracle = "the definitions in 50 digits; the star points as go players list them",
-       .checks = {{.unit = "ulp",
-                   .bound = 4.0,
-                   .reason = "a number of lines, a product and a sum, each rounded by less than one ulp",
-                   .resolution = 0.5}},
+       .checks = {within("sides", 4.0, "ulp",
+                         "a number of lines, a product and a sum, each rounded by less than one ulp", 0.5),
+                  within("intersections", 4.0, "ulp",
+                         "a number of lines and a product, each rounded by less than one ulp", 0.5),
+                  none("regions", "regions that are not so"),
+                  none("star points", "boards whose star points are not those listed"),
+                  none("refusals", "what is taken or refused and should not be")},
        .mutants = {{"board/board.hpp", "reach < p_W.z()", "reach <= p_W.z()"},
                    {"board/board.hpp", "scalar::is_finite(height)", "true"},
                    {"board/board.hpp", "T(0) <= reach && scalar::is_finite(reach)", "true"},
@@ -363,11 +369,13 @@ std::vector<Claim> domain_board_claims() {
        .function = "cast_ray (board)",
        .family = OracleFamily::other_formula,
        .oracle = "entry and exit of the six faces in 50 digits",
-       .checks = {{.unit = "ulp",
-                   .bound = 4.0,
-                   .reason =
-                       "a difference and a quotient, each rounded by less than one ulp of what may be half as great",
-                   .resolution = 1.0}},
+       .checks = {within("ends", 4.0, "ulp",
+                         "a difference and a quotient, each rounded by less than one ulp of what may be half as great",
+                         1.0),
+                  within("hit point", 4.0, "ulp of |p| + |t u|",
+                         "a product and a sum, and the face's own coordinate, as far off as the ray's ends", 1.0),
+                  none("choices", "rays that pass or meet by more than 4 ulp, and hits that are not so"),
+                  none("refusals", "what is taken or refused and should not be")},
        .mutants = {{"board/ray.hpp", "scalar::is_finite(entry.t) && scalar::is_finite(exit.t)", "true"},
                    {"board/ray.hpp", "!(u_W[i] < T(0)) && !(T(0) < u_W[i])",
                     "!(u_W[i] < -std::numeric_limits<T>::min()) && !(std::numeric_limits<T>::min() < u_W[i])"},

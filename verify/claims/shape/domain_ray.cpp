@@ -8,6 +8,7 @@
 #include <goishi/shape/ray.hpp>
 #include <string>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/oracles/numbers/multiprecision.hpp"
 #include "verify/samples/domain.hpp"
@@ -16,8 +17,6 @@ namespace goishi::verify {
 
 namespace {
 
-using Long = long double;
-using Long3 = Vec3<Long>;
 using Digits3 = Vec3<Digits50>;
 
 template <class T>
@@ -58,7 +57,7 @@ Long least_distance(const Stone<Long>& stone, const Long3& middle, const Long3& 
 }
 
 template <class T>
-void see_ray(const Context& context, Worst& worst, const Stone<T>& stone, const Ray<T>& ray,
+void see_ray(const Context& context, Checks& checks, const Stone<T>& stone, const Ray<T>& ray,
              const std::optional<RayHit<T>>& answer, const std::string& of) {
   const auto describe_it = [&](const char* what) {
     return fmt::format("{}: {}, p = ({:a}, {:a}, {:a}), u = ({:a}, {:a}, {:a})", what, of, ray.p.x(), ray.p.y(),
@@ -67,8 +66,8 @@ void see_ray(const Context& context, Worst& worst, const Stone<T>& stone, const 
   const Digits3 p = ray.p.template cast<Digits50>(), u = ray.u.template cast<Digits50>();
   const Digits50 square = 4 * p.squaredNorm() / Digits50(std::numeric_limits<T>::max());
   if (!answer || square > 1) {
-    worst.see(answer ? (square > Digits50(1.01) ? NAN : 0.0) : (square < Digits50(0.99) ? NAN : 0.0),
-              [&] { return describe_it(answer ? "taken" : "refused"); });
+    see_choice(checks["refusals"], answer ? square <= Digits50(1.01) : square >= Digits50(0.99),
+               [&] { return describe_it(answer ? "taken" : "refused"); });
     return;
   }
   const Stone<Long> wide = stone_cast<Long>(stone);
@@ -80,49 +79,52 @@ void see_ray(const Context& context, Worst& worst, const Stone<T>& stone, const 
   const Long least = length > Digits50(2 * width) ? static_cast<Long>(length) - width
                                                   : least_distance(wide, Long3(middle.cast<Long>()),
                                                                    Long3(ray.u.template cast<Long>().normalized()));
-  const auto see = [&](Long error, Long unit, const char* what) {
-    worst.see(static_cast<double>(error / unit), [&] { return describe_it(what); });
+  const auto see = [&](const char* check, Long error, Long unit, const char* what) {
+    checks[check].see(static_cast<double>(error / unit), [&] { return describe_it(what); });
+  };
+  const auto choose = [&](bool right, const char* what) {
+    see_choice(checks["choices"], right, [&] { return describe_it(what); });
   };
   if (!answer->hit) {
-    see(std::max(-least, Long(0)), off_line, "passes");
+    see("hit or miss", std::max(-least, Long(0)), off_line, "passes");
     return;
   }
-  see(std::max(least, Long(0)), off_line, "meets");
+  see("hit or miss", std::max(least, Long(0)), off_line, "meets");
   const auto place = [&](const T& t) { return Digits3(p + Digits3(Digits50(context.produced(t)) * u)); };
   const auto distance = [&](const Digits3& x) {
     return x.norm() > Digits50(4 * width) ? static_cast<Long>(Digits50(x.norm()))
                                           : std::fabs(signed_distance(wide, Long3(x.cast<Long>())));
   };
-  see(distance(place(answer->entry)), off, "entry");
-  see(distance(place(answer->exit)), off, "exit");
+  see("ends", distance(place(answer->entry)), off, "entry");
+  see("ends", distance(place(answer->exit)), off, "exit");
   const Long chord = static_cast<Long>(answer->exit) - static_cast<Long>(answer->entry);
-  see(std::max(-chord, Long(0)), off, "exit before entry");
+  choose(chord >= -8 * off, "exit before entry");
   // In at the entry, out at the exit, or what is between is nothing but round-off.
   const auto slope = [&](const T& t) {
     return closest_point(wide, Long3(place(t).template cast<Long>())).normal_B.dot(ray.u.template cast<Long>());
   };
-  if (off < width / 64 && (slope(answer->entry) > 0 || slope(answer->exit) < 0)) {
-    see(-least, off, "not the entry or the exit");
-  }
+  choose(off >= width / 64 || (slope(answer->entry) <= 0 && slope(answer->exit) >= 0) || -least <= 8 * off,
+         "not the entry or the exit");
   const T first = answer->entry < T(0) ? answer->exit : answer->entry;
-  if (answer->forward != !(answer->exit < T(0)) ||
-      (answer->forward && !(answer->first <= first && first <= answer->first))) {
-    see(NAN, 1, "not the first");
-  }
+  choose(answer->forward == !(answer->exit < T(0)) &&
+             (!answer->forward || (answer->first <= first && first <= answer->first)),
+         "not the first");
   if (!answer->forward) {
     return;
   }
-  const Digits3 there = answer->surface.p_B.template cast<Digits50>();
-  see(distance(there), off_line, "surface");
+  // Looked at from the centre: a change of its size is one of a place.
+  const Digits3 there = answer->surface.p_B.template cast<Digits50>() * Digits50(context.produced(1.0));
+  see("hit point", distance(there), off_line, "off the surface");
   const Digits3 from = there - middle;
-  see(static_cast<Long>(Digits50((from - Digits3(Digits50(from.dot(u) / u.squaredNorm()) * u)).norm())), off_line,
-      "surface, from the line");
-  see(static_cast<Long>(Digits50((there - place(answer->first)).norm())), off, "surface, from the first");
-  see(std::fabs(static_cast<Long>(answer->surface.normal_B.norm()) - 1), static_cast<Long>(epsilon_in<T>), "normal");
+  see("hit point", static_cast<Long>(Digits50((from - Digits3(Digits50(from.dot(u) / u.squaredNorm()) * u)).norm())),
+      off_line, "off the line");
+  see("hit point", static_cast<Long>(Digits50((there - place(answer->first)).norm())), off, "off the first");
+  see("normal", std::fabs(static_cast<Long>(context.produced(answer->surface.normal_B.norm())) - 1),
+      static_cast<Long>(epsilon_in<T>), "normal");
 }
 
 template <class T>
-void see_rays(Context& context, Worst& worst, int count) {
+void see_rays(Context& context, Checks& checks, int count) {
   for (int i = 0; i < count; ++i) {
     const ShapeSample<T> shape = draw_any_shape<T>(context, i);
     const auto stone = answer_of(FE_TONEAREST, [&] { return make_stone(shape.width, shape.height, shape.bevel); });
@@ -135,20 +137,21 @@ void see_rays(Context& context, Worst& worst, int count) {
     }
     const int mode = rounding_modes[static_cast<std::size_t>(i / 7) % rounding_modes.size()];
     const auto answer = answer_of(mode, [&] { return cast_ray(*stone, ray.p, ray.u); });
-    see_ray(context, worst, *stone, ray, answer, fmt::format("{}, mode {}", describe(shape), mode));
+    see_ray(context, checks, *stone, ray, answer, fmt::format("{}, mode {}", describe(shape), mode));
   }
 }
 
 Measurement measure_rays(Context& context) {
-  Worst worst;
-  see_rays<double>(context, worst, context.samples(1500, 9000));
-  see_rays<float>(context, worst, context.samples(1500, 9000));
-  return worst.measurement();
+  Checks checks;
+  see_rays<double>(context, checks, context.samples(1500, 9000));
+  see_rays<float>(context, checks, context.samples(1500, 9000));
+  return checks.measurement();
 }
 
 }  // namespace
 
 std::vector<Claim> domain_ray_claims() {
+  const std::string line = "ε of the sum of width and distance, of the width for a line without round-off";
   return {
       {.id = "DOMAIN-11",
        .statement =
@@ -158,12 +161,20 @@ std::vector<Claim> domain_ray_claims() {
        .function = "cast_ray",
        .family = OracleFamily::other_formula,
        .oracle = "distances along the exact line, in 50 digits and long double; their minimum by search",
-       .checks =
-           {{.unit = "ε of the sum of width and distance; of the width for a line without round-off",
-             .bound = 8.0,
-             .reason =
-                 "some six roundings of a place and its distance, twice as large where they are not to the nearest",
-             .resolution = 1.0}},
+       .checks = {within("ends", 8.0, "ε of the sum of width and distance",
+                         "some six roundings of a place and its distance, twice as large where they are not to the "
+                         "nearest",
+                         1.0),
+                  within("hit point", 8.0, line, "as the ends, and a foot on the surface", 1.0),
+                  within("normal", 6.0, "ε", "a root, a quotient and a product, and the norm's own three", 0.5),
+                  {.name = "hit or miss",
+                   .unit = line + "; how far a line that is said to meet passes, or one that is said to pass is inside",
+                   .bound = 8.0,
+                   .reason = "as the ends",
+                   .resolution = 1.0,
+                   .counts = true},
+                  none("choices", "orders of entry, exit and the first that are wrong"),
+                  none("refusals", "what is taken or refused and should not be")},
        .mutants = {{"shape/ray.hpp", "const T rest = -near.dot(u_B);", "const T rest(0);"},
                    {"shape/ray.hpp", "std::numeric_limits<T>::max() / T(4)", "std::numeric_limits<T>::infinity()"}},
        .measure = measure_rays},

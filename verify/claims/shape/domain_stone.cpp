@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/oracles/numbers/multiprecision.hpp"
 #include "verify/samples/domain.hpp"
@@ -43,19 +44,20 @@ std::vector<std::pair<const char*, T>> numbers(const MassProperties<T>& body) {
           {"I_t/m", body.moments_per_mass.transverse}};
 }
 
-/// Ulps, or NaN: where only one of the two has an answer.
+/// Ulps of each number; and whether there is an answer where there can be one.
 template <class T, class Answer, class Exact, class Numbers, class Describe>
-void see_numbers(Worst& worst, Context& context, const Answer& answer, bool right_to_refuse, const Exact& exact,
+void see_numbers(Checks& checks, Context& context, const Answer& answer, bool right_to_refuse, const Exact& exact,
                  Numbers&& all, Describe&& describe) {
+  see_choice(checks["refusals"], answer ? !right_to_refuse : right_to_refuse,
+             [&] { return (answer ? "taken: " : "refused: ") + describe(); });
   if (!answer || right_to_refuse) {
-    worst.see(!answer && right_to_refuse ? 0.0 : NAN, [&] { return (answer ? "taken: " : "refused: ") + describe(); });
     return;
   }
   const auto computed = all(*answer);
   const auto expected = all(exact);
   for (std::size_t k = 0; k < computed.size(); ++k) {
-    worst.see(ulps<T>(context.produced(computed[k].second), expected[k].second),
-              [&] { return std::string(computed[k].first) + ": " + describe(); });
+    checks["numbers"].see(ulps<T>(context.produced(computed[k].second), expected[k].second),
+                          [&] { return std::string(computed[k].first) + ": " + describe(); });
   }
 }
 
@@ -67,7 +69,7 @@ bool is_length(const Digits50& value) {
 }
 
 template <class T>
-Measurement stones_of(Context& context, Worst& worst, int count) {
+void see_stones(Context& context, Checks& checks, int count) {
   for (int i = 0; i < count; ++i) {
     const ShapeSample<T> shape = draw_any_shape<T>(context, i);
     const bool measured = i % 3 == 1;
@@ -84,20 +86,21 @@ Measurement stones_of(Context& context, Worst& worst, int count) {
     const int mode = rounding_modes[static_cast<std::size_t>(i / 5) % rounding_modes.size()];
     const auto answer = answer_of(mode, [&] { return make(shape.width, shape.height, shape.bevel); });
     see_numbers<T>(
-        worst, context, answer, refusable, exact ? *exact : Stone<Digits50>{}, [](const auto& s) { return lengths(s); },
+        checks, context, answer, refusable, exact ? *exact : Stone<Digits50>{},
+        [](const auto& s) { return lengths(s); },
         [&] { return describe(shape) + fmt::format(", mode {}{}", mode, measured ? ", measured" : ""); });
   }
-  return worst.measurement();
 }
 
 Measurement measure_stones(Context& context) {
-  Worst worst;
-  stones_of<double>(context, worst, context.samples(2000, 20'000));
-  return stones_of<float>(context, worst, context.samples(2000, 20'000));
+  Checks checks;
+  see_stones<double>(context, checks, context.samples(2000, 20'000));
+  see_stones<float>(context, checks, context.samples(2000, 20'000));
+  return checks.measurement();
 }
 
 template <class T>
-Measurement masses_of(Context& context, Worst& worst, int count) {
+void see_masses(Context& context, Checks& checks, int count) {
   for (int i = 0; i < count; ++i) {
     const ShapeSample<T> shape = draw_any_shape<T>(context, i);
     const auto stone = answer_of(FE_TONEAREST, [&] { return make_stone(shape.width, shape.height, shape.bevel); });
@@ -118,20 +121,20 @@ Measurement masses_of(Context& context, Worst& worst, int count) {
     }
     const auto answer = answer_of(mode, [&] { return weigh(*stone, given); });
     see_numbers<T>(
-        worst, context, answer, refusable, exact, [](const auto& body) { return numbers(body); },
+        checks, context, answer, refusable, exact, [](const auto& body) { return numbers(body); },
         [&] { return describe(shape) + fmt::format(", mode {}, given {}", mode, given); });
   }
-  return worst.measurement();
 }
 
 Measurement measure_masses(Context& context) {
-  Worst worst;
-  masses_of<double>(context, worst, context.samples(2000, 20'000));
-  return masses_of<float>(context, worst, context.samples(4000, 20'000));
+  Checks checks;
+  see_masses<double>(context, checks, context.samples(2000, 20'000));
+  see_masses<float>(context, checks, context.samples(4000, 20'000));
+  return checks.measurement();
 }
 
 template <class T>
-Measurement tensors_of(Context& context, Worst& worst, int count) {
+void see_tensors(Context& context, Checks& checks, int count) {
   for (int i = 0; i < count; ++i) {
     MassProperties<T> body;
     body.mass = any_size<T>(context.random(), size_reach<T>);
@@ -152,25 +155,26 @@ Measurement tensors_of(Context& context, Worst& worst, int count) {
                          away, q.w(), q.x(), q.y(), q.z(), mode);
     };
     const Digits50 trace = exact.trace();
-    if (!answer || trace > Digits50(std::numeric_limits<T>::max())) {
-      worst.see(!answer && 4 * trace > Digits50(std::numeric_limits<T>::max()) ? 0.0 : NAN, describe);
+    const Digits50 most(std::numeric_limits<T>::max());
+    see_choice(checks["refusals"], answer ? trace <= most : 4 * trace > most, describe);
+    if (!answer) {
       continue;
     }
-    const Digits50 off = (answer->template cast<Digits50>() - exact).cwiseAbs().maxCoeff();
-    const double scaled = static_cast<double>(Digits50(off / (trace + Digits50(std::numeric_limits<T>::min()))));
-    worst.see(scaled + std::fabs(context.produced(1.0) - 1.0), epsilon_in<T>, describe);
+    const Mat3<Digits50> computed = answer->template cast<Digits50>() * Digits50(context.produced(1.0));
+    const Digits50 off = (computed - exact).cwiseAbs().maxCoeff() / (trace + Digits50(std::numeric_limits<T>::min()));
+    checks["tensor"].see(static_cast<double>(off), epsilon_in<T>, describe);
   }
-  return worst.measurement();
 }
 
 Measurement measure_tensors(Context& context) {
-  Worst worst;
-  tensors_of<double>(context, worst, context.samples(1000, 10'000));
-  return tensors_of<float>(context, worst, context.samples(1000, 10'000));
+  Checks checks;
+  see_tensors<double>(context, checks, context.samples(1000, 10'000));
+  see_tensors<float>(context, checks, context.samples(1000, 10'000));
+  return checks.measurement();
 }
 
 template <class T>
-Measurement surfaces_of(Context& context, Worst& worst, int count) {
+void see_surfaces(Context& context, Checks& checks, int count) {
   for (int i = 0; i < count; ++i) {
     const ShapeSample<T> shape = draw_any_shape<T>(context, i);
     const auto stone = answer_of(FE_TONEAREST, [&] { return make_stone(shape.width, shape.height, shape.bevel); });
@@ -200,20 +204,23 @@ Measurement surfaces_of(Context& context, Worst& worst, int count) {
     const Vec3<Digits50> wide_p = p.template cast<Digits50>();
     const Digits50 size = std::max(Digits50(wide.width), Digits50(wide_p.norm()));
     const auto answer = answer_of(mode, [&] { return closest_point(*stone, p); });
-    if (!answer || !holds<T>(Digits50(size * size))) {
-      worst.see(!answer && !holds<T>(Digits50(8 * size * size)) ? 0.0 : NAN, describe_point);
-    } else {
+    see_choice(checks["refusals"], answer ? holds<T>(Digits50(size * size)) : !holds<T>(Digits50(8 * size * size)),
+               describe_point);
+    const auto see = [&](const char* check, const Digits50& off, double allowed, auto&& describe_it) {
+      checks[check].see(static_cast<double>(off), allowed, describe_it);
+    };
+    const Digits50 factor(context.produced(1.0));
+    if (answer && holds<T>(Digits50(size * size))) {
       const SurfacePoint<Digits50> exact = closest_point(wide, wide_p);
-      Digits50 off = abs(Digits50(context.produced(answer->distance)) - exact.distance);
+      const Digits50 distance = factor * Digits50(answer->distance);
+      see("distance", Digits50(abs(distance - exact.distance) / size), epsilon_in<T>, describe_point);
+      const Vec3<Digits50> normal = factor * answer->normal_B.template cast<Digits50>();
       if (answer->unique && exact.unique && abs(exact.distance) < wide.width) {
         // Where it is, if the distance alone does not say: on its normal, and as far.
-        off = std::max(off, Digits50((answer->p_B.template cast<Digits50>() +
-                                      answer->distance * answer->normal_B.template cast<Digits50>() - wide_p)
-                                         .norm()));
+        const Vec3<Digits50> back = answer->p_B.template cast<Digits50>() + distance * normal;
+        see("closest point", Digits50((back - wide_p).norm() / size), epsilon_in<T>, describe_point);
       }
-      worst.see(static_cast<double>(Digits50(off / size)), epsilon_in<T>, describe_point);
-      worst.see(std::fabs(static_cast<double>(Digits50(answer->normal_B.template cast<Digits50>().squaredNorm() - 1))),
-                2.0 * epsilon_in<T>, [&] { return "normal: " + describe_point(); });
+      see("normal", Digits50(abs(normal.squaredNorm() - 1)), 2.0 * epsilon_in<T>, describe_point);
     }
     // Directions: along axes to the bit, any, off the unit sphere.
     const std::array<Vec3<T>, 4> directions = {Vec3<T>(zero, zero, T(1)), Vec3<T>(T(-1), zero, zero),
@@ -226,29 +233,29 @@ Measurement surfaces_of(Context& context, Worst& worst, int count) {
     };
     const Vec3<Digits50> wide_n = n.template cast<Digits50>().normalized();
     const auto found = answer_of(mode, [&] { return support(*stone, n); });
+    see_choice(checks["refusals"], found.has_value(), [&] { return "refused: " + describe_direction(); });
     if (!found) {
-      worst.see(NAN, [&] { return "refused: " + describe_direction(); });
       continue;
     }
     const Digits50 value = support(wide, wide_n).value;
-    const Digits50 there = wide_n.dot(found->p_B.template cast<Digits50>());
-    const Digits50 off =
-        std::max(abs(Digits50(Digits50(context.produced(found->value)) - value)), abs(Digits50(there - value)));
-    worst.see(static_cast<double>(Digits50(off / wide.width)), epsilon_in<T> * (1.0 + std::abs(defect)),
-              describe_direction);
+    const Digits50 there = wide_n.dot(Vec3<Digits50>(factor * found->p_B.template cast<Digits50>()));
+    const double allowed = epsilon_in<T> * (1.0 + std::abs(defect));
+    see("support", Digits50(abs(factor * Digits50(found->value) - value) / wide.width), allowed, describe_direction);
+    see("support", Digits50(abs(there - value) / wide.width), allowed, describe_direction);
   }
-  return worst.measurement();
 }
 
 Measurement measure_surfaces(Context& context) {
-  Worst worst;
-  surfaces_of<double>(context, worst, context.samples(2000, 20'000));
-  return surfaces_of<float>(context, worst, context.samples(2000, 20'000));
+  Checks checks;
+  see_surfaces<double>(context, checks, context.samples(2000, 20'000));
+  see_surfaces<float>(context, checks, context.samples(2000, 20'000));
+  return checks.measurement();
 }
 
 }  // namespace
 
 std::vector<Claim> domain_stone_claims() {
+  const Check refusals = none("refusals", "what is taken or refused and should not be");
   return {
       {.id = "DOMAIN-1",
        .statement =
@@ -257,10 +264,9 @@ std::vector<Claim> domain_stone_claims() {
        .function = "make_stone, make_measured_stone",
        .family = OracleFamily::rounding,
        .oracle = "the same in 50 digits, without a limit of size (judges range and rounding)",
-       .checks = {{.unit = "ulp",
-                   .bound = 2.0,
-                   .reason = "evaluated in the next wider type and rounded, upwards or downwards by up to one ulp",
-                   .resolution = 1.0}},
+       .checks = {within("numbers", 2.0, "ulp",
+                         "evaluated in the next wider type and rounded, upwards or downwards by up to one ulp", 1.0),
+                  refusals},
        .mutants = {{"shape/stone.hpp", "require_length(\"sphere_radius\", stone.sphere_radius);", ""},
                    {"error.hpp", "least <= value && value <= most", "least <= value"}},
        .measure = measure_stones},
@@ -269,10 +275,9 @@ std::vector<Claim> domain_stone_claims() {
        .function = "mass_properties",
        .family = OracleFamily::rounding,
        .oracle = "the same in 50 digits, without a limit of size (judges range and rounding)",
-       .checks = {{.unit = "ulp",
-                   .bound = 12.0,
-                   .reason = "MASS-2's 8; rounding that is not to the nearest errs by twice as much",
-                   .resolution = 1.0}},
+       .checks = {within("numbers", 12.0, "ulp",
+                         "MASS-2's 8; rounding that is not to the nearest errs by twice as much", 1.0),
+                  refusals},
        .mutants = {{"mass/inertia.hpp", "Wide(result.density * result.moments.axial)",
                     "Wide(result.density * T(result.moments.axial))"},
                    {"mass/inertia.hpp", "least <= value && value <= most", "value <= most"}},
@@ -284,10 +289,9 @@ std::vector<Claim> domain_stone_claims() {
        .function = "inertia_tensor",
        .family = OracleFamily::rounding,
        .oracle = "the same in 50 digits at q/|q|",
-       .checks = {{.unit = "ε trace",
-                   .bound = 12.0,
-                   .reason = "some twelve roundings, twice as large where they are not to the nearest",
-                   .resolution = 1.0}},
+       .checks = {within("tensor", 12.0, "ε trace",
+                         "some twelve roundings, twice as large where they are not to the nearest", 1.0),
+                  refusals},
        .mutants = {{"rotation.hpp", "formula::reunited(q_WB).toRotationMatrix()", "q_WB.toRotationMatrix()"},
                    {"mass/tensor.hpp", "result.trace() < most", "true"}},
        .measure = measure_tensors},
@@ -299,11 +303,16 @@ std::vector<Claim> domain_stone_claims() {
        .function = "closest_point, support",
        .family = OracleFamily::rounding,
        .oracle = "the same in 50 digits on the same stone; the point against its own distance and normal",
-       .checks = {{.unit = "ε of the greater of width and |p|",
-                   .bound = 16.0,
-                   .reason =
-                       "SURFACE-1 and SURFACE-2 have 5; rounding that is not to the nearest errs by twice as much",
-                   .resolution = 1.0}},
+       .checks = {within("distance", 10.0, "ε of the greater of width and |p|",
+                         "SURFACE-2 has 5; rounding that is not to the nearest errs by twice as much", 1.0),
+                  within("closest point", 4.0, "ε of the greater of width and |p|",
+                         "it is made of the same foot as the distance and the normal, so that their errors cancel: "
+                         "two sums and a product are left",
+                         1.0),
+                  within("normal", 6.0, "2 ε, of its square", "as SURFACE-2", 1.0),
+                  within("support", 10.0, "ε of the width, as much more as |n|² is off",
+                         "SURFACE-1 has 5; rounding that is not to the nearest errs by twice as much", 1.0),
+                  refusals},
        .mutants = {{"shape/surface.hpp", "std::numeric_limits<T>::max() / T(4)", "std::numeric_limits<T>::infinity()"},
                    {"shape/surface.hpp", "square < least_square<T>", "square < T(0)"}},
        .measure = measure_surfaces},

@@ -8,6 +8,7 @@
 #include <goishi/shape/surface.hpp>
 #include <stdexcept>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/oracles/numbers/golden.hpp"
 #include "verify/samples/contact.hpp"
@@ -15,8 +16,6 @@
 namespace goishi::verify {
 
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 double length(const Exact3& v) {
   return static_cast<double>(Digits50(sqrt(v.x() * v.x() + v.y() * v.y() + v.z() * v.z())));
@@ -42,7 +41,7 @@ void require_agreement(double one, double other, double tolerance, const std::st
 // --- support
 
 Measurement measure_support(Context& context) {
-  Worst worst;
+  Checks checks;
   for (int i = 0; i < context.samples(2000, 20000); ++i) {
     const Specimen specimen = draw_specimen(context, i, 1e-9);
     const Vec3<double> n = draw_normal(context, specimen.stone, i / 2);
@@ -59,15 +58,15 @@ Measurement measure_support(Context& context) {
       require_agreement(static_cast<double>(searched), static_cast<double>(value), 4.0 * epsilon * width,
                         "support of " + describe(specimen) + " at " + describe(n));
     }
-    const auto see = [&](double error, const char* name) {
-      worst.see(error, width, [&] { return fmt::format("{}: {}, n = {}", name, describe(specimen), describe(n)); });
+    const auto see = [&](double error, const char* check) {
+      checks[check].see(error, width, [&] { return fmt::format("{}, n = {}", describe(specimen), describe(n)); });
     };
     see(std::fabs(static_cast<double>(Digits50(context.produced(computed.value) - value))), "value");
     if (radial > 0 || computed.feature != Feature::rim) {
       see(length(exact(context.produced(computed.p_B)) - in_half_plane(normal, rho, z)), "point");
     }
   }
-  return worst.measurement();
+  return checks.measurement();
 }
 
 // --- distance
@@ -104,7 +103,7 @@ Vec3<double> draw_point(Context& context, const Specimen& specimen, int i) {
 }
 
 Measurement measure_distance(Context& context) {
-  Worst worst;
+  Checks checks;
   for (int i = 0; i < context.samples(2000, 20000); ++i) {
     const Specimen specimen = draw_specimen(context, i, 1e-9);
     const Vec3<double> p = draw_point(context, specimen, i / 2);
@@ -121,8 +120,8 @@ Measurement measure_distance(Context& context) {
                         "distance of " + describe(p) + " from " + describe(specimen));
     }
     const Digits50 distance = outside(hull, rho, point.z()) < 0 ? Digits50(-foot.distance) : foot.distance;
-    const auto see = [&](double error, const char* name) {
-      worst.see(error, scale, [&] { return fmt::format("{}: {}, p = {}", name, describe(specimen), describe(p)); });
+    const auto see = [&](double error, const char* check) {
+      checks[check].see(error, scale, [&] { return fmt::format("{}, p = {}", describe(specimen), describe(p)); });
     };
     see(std::fabs(static_cast<double>(Digits50(context.produced(computed.distance) - distance))), "distance");
     if (computed.unique) {
@@ -137,7 +136,7 @@ Measurement measure_distance(Context& context) {
           "normal");
     }
   }
-  return worst.measurement();
+  return checks.measurement();
 }
 
 // --- rays
@@ -160,7 +159,7 @@ struct Line {
 };
 
 Measurement measure_ray(Context& context) {
-  Worst worst;
+  Checks checks;
   for (int i = 0; i < context.samples(2000, 20000); ++i) {
     const Specimen specimen = draw_specimen(context, i, 1e-4);
     const double width = outer_width(specimen.stone);
@@ -182,27 +181,27 @@ Measurement measure_ray(Context& context) {
     const long double nearest = -line.p.dot(line.u), reach = static_cast<long double>(width);
     const long double deepest = golden<long double>(line, nearest - reach, nearest + reach, 1e-12L * reach);
     const double scale = std::max(width, p.norm()), depth = static_cast<double>(line(deepest)) / scale;
-    const auto see = [&](double error, const char* name) {
-      worst.see(error, [&] {
-        return fmt::format("{}: {}, p = {}, u = {}", name, describe(specimen), describe(p), describe(u));
-      });
+    const auto describe_it = [&](const char* what) {
+      return fmt::format("{}: {}, p = {}, u = {}", what, describe(specimen), describe(p), describe(u));
+    };
+    const auto choose = [&](bool right, const char* what) {
+      see_choice(checks["choices"], right, [&] { return describe_it(what); });
     };
     if (std::fabs(depth) < 1e-13) {
       continue;  // it grazes: whether it hits is beyond round-off
     }
-    see(computed.hit == (depth < 0.0) ? 0.0 : 1.0, "hit");
+    choose(computed.hit == (depth < 0.0), "hit");
     if (!computed.hit || !(depth < 0.0)) {
       continue;
     }
     const long double entry = line.crossing(deepest, nearest - reach), exit = line.crossing(deepest, nearest + reach);
-    const auto see_end = [&](double t, long double expected, const char* name) {
+    const auto see_end = [&](double t, long double expected, const char* what) {
       // How far off the surface; and, where the ray is steeper than 1 : 10, how far along the ray.
-      const long double residual = line(static_cast<long double>(t));
-      const double off = static_cast<double>(static_cast<long double>(t) - expected);
-      see(static_cast<double>(std::fabs(residual)) / scale, name);
+      const Long residual = std::fabs(line(static_cast<Long>(t))), off = std::fabs(static_cast<Long>(t) - expected);
+      checks["off the surface"].see(static_cast<double>(residual), scale, [&] { return describe_it(what); });
       if (std::fabs(static_cast<double>(line(expected + 1e-6L * reach) - line(expected - 1e-6L * reach))) >
           2e-7 * width) {
-        see(std::fabs(off) / scale, name);
+        checks["along the ray"].see(static_cast<double>(off), scale, [&] { return describe_it(what); });
       }
     };
     see_end(context.produced(computed.entry), entry, "entry");
@@ -210,11 +209,11 @@ Measurement measure_ray(Context& context) {
     const double first = 0 < entry ? computed.entry : computed.exit;
     const bool ahead = 0 < exit;
     if (std::fabs(static_cast<double>(entry)) > 1e-12 * scale && std::fabs(static_cast<double>(exit)) > 1e-12 * scale) {
-      see(computed.forward == ahead ? 0.0 : 1.0, "whether it is ahead");
-      see(!ahead || computed.first == first ? 0.0 : 1.0, "which is first");
+      choose(computed.forward == ahead, "whether it is ahead");
+      choose(!ahead || computed.first == first, "which is first");
     }
   }
-  return worst.measurement();
+  return checks.measurement();
 }
 
 }  // namespace
@@ -228,11 +227,10 @@ std::vector<Claim> surface_claims() {
        .function = "support",
        .family = OracleFamily::other_formula,
        .oracle = "farthest point of caps and torus in 50 digits; the outline searched by golden section must agree",
-       .checks = {{.unit = "of the width",
-                   .bound = 1e-15,
-                   .reason =
-                       "the bar; a coordinate has three roundings of terms up to half the width, the fields one each",
-                   .resolution = epsilon / 4.0}},
+       .checks = {within("value", 1e-15, "of the width",
+                         "the bar; three roundings of terms up to half the width, the stone's fields have one each",
+                         epsilon / 4.0),
+                  within("point", 1e-15, "of the width", "the bar; as the value, in each coordinate", epsilon / 4.0)},
        .mutants = {{"shape/surface.hpp", "radial_square / (T(1) + axial);", "radial_square / (T(1) + axial * axial);"},
                    {"shape/surface.hpp",
                     "n.radial_square * scalar::sq(stone.joint_sine) <= scalar::sq(T(n.axial * stone.joint_cosine))",
@@ -247,14 +245,16 @@ std::vector<Claim> surface_claims() {
        .family = OracleFamily::other_formula,
        .oracle = "the nearest of the feet on caps, bevel and edge in 50 digits; sign: inside both balls and the torus "
                  "rule; the outline searched by golden section must agree",
-       .checks =
-           {{.unit = "of the greater of width and distance from the centre",
-             .bound = 1e-15,
-             .reason =
-                 "the bar; the distance from the axis, from the centre of curvature and the quotient have two "
-                 "roundings "
-                 "each. Foot and normal near a centre of curvature: as many times less as a shift of the point counts",
-             .resolution = epsilon / 4.0}},
+       .checks = {within("distance", 1e-15, "of the greater of width and distance from the centre",
+                         "the bar; the distance from the axis, from the centre of curvature and the quotient have two "
+                         "roundings each",
+                         epsilon / 4.0),
+                  within(
+                      "closest point", 1e-15, "of the greater of width and distance from the centre",
+                      "as the distance; near a centre of curvature as many times less as a shift of the point counts",
+                      epsilon / 4.0),
+                  within("normal", 1e-15, "of the greater of width and distance from the centre",
+                         "as the closest point", epsilon / 4.0)},
        .mutants = {{"shape/surface.hpp", "zeta * (zeta + T(2) * stone.sphere_offset)",
                     "zeta * (zeta + stone.sphere_offset)"},
                    {"shape/surface.hpp", "rho * d <= rim * over", "rho * over <= rim * d"},
@@ -268,13 +268,12 @@ std::vector<Claim> surface_claims() {
        .function = "cast_ray",
        .family = OracleFamily::brute_force,
        .oracle = "inside both balls and the torus rule, bisected along the line in long double",
-       .checks =
-           {{.unit = "of the greater of width and distance",
-             .bound = 1e-14,
-             .reason =
-                 "off the surface: two roundings of p + t u and the distance's four; along a ray that is steeper than "
-                 "1 : 10 up to ten times as much",
-             .resolution = epsilon / 4.0}},
+       .checks = {within("off the surface", 2e-15, "of the greater of width and distance",
+                         "two roundings of p + t u, and the distance's 1e-15 (SURFACE-2)", epsilon / 4.0),
+                  within("along the ray", 1e-14, "of the greater of width and distance",
+                         "of a ray that is steeper than 1 : 10, up to ten times as much; twice a ray's two ends",
+                         epsilon / 4.0),
+                  none("choices", "hits, misses and orders that are wrong")},
        .mutants = {{"shape/ray.hpp", "t - sign * at.distance / slope", "t - sign * at.distance"},
                    {"shape/ray.hpp", "result.first = inside ? result.exit : result.entry;",
                     "result.first = result.entry;"},

@@ -6,17 +6,13 @@
 #include <cmath>
 #include <goishi/shape/surface.hpp>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/samples/contact.hpp"
 
 namespace goishi::verify {
 
 namespace {
-
-using Long = long double;
-using Long3 = Vec3<Long>;
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// |n| S(n/|n|).
 Long homogeneous_support(const Stone<Long>& stone, const Long3& v) {
@@ -38,21 +34,25 @@ Long3 gradient(F&& f, const Long3& at, Long h) {
 
 /// The distance is 1-Lipschitz, the support convex, both the same seen in a mirror.
 Measurement measure_laws(Context& context) {
-  Worst worst;
+  Checks checks;
   for (int i = 0; i < context.samples(10000, 100000); ++i) {
     const Specimen specimen = draw_specimen(context, i, 1e-9);
     const Stone<double>& stone = specimen.stone;
     const double width = outer_width(stone);
-    const auto see = [&](double error, const char* name, const Vec3<double>& one, const Vec3<double>& other) {
-      worst.see(error, width, [&] {
-        return fmt::format("{}: {}, at {} and {}", name, describe(specimen), describe(one), describe(other));
-      });
+    const auto describe_it = [&](const Vec3<double>& one, const Vec3<double>& other) {
+      return fmt::format("{}, at {} and {}", describe(specimen), describe(one), describe(other));
+    };
+    const auto see = [&](double error, const char* check, const Vec3<double>& one, const Vec3<double>& other) {
+      checks[check].see(error, width, [&] { return describe_it(one, other); });
+    };
+    const auto choose = [&](bool right, const char* check, const Vec3<double>& at) {
+      see_choice(checks[check], right, [&] { return describe_it(at, at); });
     };
     const Vec3<double> p = width * context.uniform(0.0, 1.0) * draw_unit(context);
     const SurfacePoint<double> at_p = closest_point(stone, p);
     const Vec3<double> q = p + width * draw_small(context, 12.0) * (i % 2 == 0 ? at_p.normal_B : draw_unit(context));
-    see(std::fabs(context.produced(at_p.distance) - signed_distance(stone, q)) - (p - q).norm(), "1-Lipschitz", p, q);
-    see(is_inside(stone, p) == (at_p.distance <= 0.0) ? 0.0 : 1.0, "inside", p, p);
+    see(std::fabs(context.produced(at_p.distance) - signed_distance(stone, q)) - (p - q).norm(), "Lipschitz", p, q);
+    choose(is_inside(stone, p) == (at_p.distance <= 0.0), "inside", p);
 
     const Vec3<double> n = draw_normal(context, stone, i / 2),
                        m = i % 2 == 0 ? draw_normal(context, stone, i / 14)
@@ -61,11 +61,11 @@ Measurement measure_laws(Context& context) {
     const Vec3<double> sum = n + m;
     if (sum.norm() > 1e-3) {
       const double between = sum.norm() * support(stone, Vec3<double>(sum.normalized())).value;
-      see(context.produced(between) - at_n.value - support(stone, m).value, "convex", n, m);
+      see(context.produced(between) - at_n.value - support(stone, m).value, "convexity", n, m);
     }
-    see(-at_n.value, "positive", n, n);
+    choose(at_n.value > 0.0, "inside", n);
     // S(n) n is the plane, the point lies in it: another direction's point does not lie beyond.
-    see(support(stone, m).p_B.dot(n) - context.produced(at_n.value), "the farthest point is the farthest", n, m);
+    see(context.produced(support(stone, m).p_B).dot(n) - at_n.value, "farthest point", n, m);
 
     for (int k = 0; k < 3; ++k) {
       const auto mirrored = [&](Vec3<double> v) {
@@ -73,43 +73,50 @@ Measurement measure_laws(Context& context) {
         return v;
       };
       const Support<double> seen = support(stone, mirrored(n));
-      see(std::fabs(seen.value - at_n.value) + (seen.p_B - mirrored(at_n.p_B)).norm(), "support in a mirror", n, n);
+      choose(seen.value == at_n.value && seen.p_B == mirrored(at_n.p_B), "mirror", n);
       const SurfacePoint<double> other = closest_point(stone, mirrored(p));
-      see(std::fabs(other.distance - at_p.distance) + (other.p_B - mirrored(at_p.p_B)).norm(), "distance in a mirror",
-          p, p);
+      choose(other.distance == at_p.distance && other.p_B == mirrored(at_p.p_B), "mirror", p);
     }
   }
-  return worst.measurement();
+  return checks.measurement();
 }
 
 /// Gradients by differences in long double: of the distance the normal, of the support the support point.
 Measurement measure_gradients(Context& context) {
-  Worst worst;
+  Checks checks;
   constexpr Long h = 1e-8L;
   for (int i = 0; i < context.samples(2000, 20000); ++i) {
     const Specimen specimen = draw_specimen(context, i, 1e-3);
     const Stone<Long> stone = make_stone<Long>(specimen.shape.width, specimen.shape.height, specimen.shape.bevel);
     const Long width = outer_width(stone);
-    const auto see = [&](Long error, const char* name, const Long3& at) {
-      worst.see(static_cast<double>(error), [&] {
-        return fmt::format("{}: {}, at {}", name, describe(specimen), describe(Vec3<double>(at.cast<double>())));
+    const auto see = [&](Long error, const std::string& check, const Long3& at) {
+      checks[check].see(static_cast<double>(error), [&] {
+        return fmt::format("{}, at {}", describe(specimen), describe(Vec3<double>(at.cast<double>())));
       });
     };
     // At the switch of cap and rim to 1e-17, and everywhere.
     const Long3 n = draw_normal(context, specimen.stone, i / 2).cast<Long>().normalized();
-    if (stone.sphere_radius < 100 * width && std::hypot(n.x(), n.y()) > 1e-3L) {
+    const Long radial = std::hypot(n.x(), n.y());
+    if (stone.sphere_radius < 100 * width && radial > 1e-3L) {
+      const Long from_switch = std::fabs(radial * stone.joint_sine - std::fabs(n.z()) * stone.joint_cosine);
       const Long3 slope = gradient([&](const Long3& v) { return homogeneous_support(stone, v); }, n, h);
-      see((slope - context.produced(support(stone, n).p_B)).norm() / stone.sphere_radius, "support", n);
+      see((slope - context.produced(support(stone, n).p_B)).norm() / stone.sphere_radius,
+          from_switch < 2 * h ? "support point, at the switch" : "support point", n);
     }
-    // On the surface's normal, a tenth of the radius of the tube or more outside: the distance is smooth there.
+    // On the surface's normal, a tenth of the width outside, where the distance is smooth; every second one where the
+    // nearest point is the joint of cap and rim, on any meridian.
+    const bool at_joint = i % 2 == 0 && stone.joint_cosine > 0;
+    const Long3 azimuth = Long3(draw_unit(context).cast<Long>().cwiseProduct(Long3(1, 1, 0))).normalized();
+    const Long3 joint = Long3(stone.joint_cosine * azimuth + stone.joint_sine * Long3(0, 0, 1));
     const SurfacePoint<Long> start = closest_point(stone, Long3(width * static_cast<Long>(context.uniform(0.1, 1.0)) *
                                                                 draw_unit(context).cast<Long>().normalized()));
-    const Long3 p = start.p_B + (width / 10) * start.normal_B;
+    const Long3 p = at_joint ? Long3(support(stone, joint).p_B + (width / 10) * joint)
+                             : Long3(start.p_B + (width / 10) * start.normal_B);
     const SurfacePoint<Long> at = closest_point(stone, p);
     const Long3 slope = gradient([&](const Long3& x) { return signed_distance(stone, x); }, p, h * width);
-    see((slope - context.produced(at.normal_B)).norm(), "distance", p);
+    see((slope - context.produced(at.normal_B)).norm(), at_joint ? "normal, at the switch" : "normal", p);
   }
-  return worst.measurement();
+  return checks.measurement();
 }
 
 }  // namespace
@@ -123,10 +130,15 @@ std::vector<Claim> surface_law_claims() {
        .function = "closest_point, support, is_inside",
        .family = OracleFamily::invariant,
        .oracle = "inequalities that hold for every convex body, and three mirrors",
-       .checks = {{.unit = "of the width",
-                   .bound = 4e-15,
-                   .reason = "two distances or three supports of 1e-15 each, and the norm of a difference",
-                   .resolution = epsilon / 4.0}},
+       .checks =
+           {within("Lipschitz", 2e-15, "of the width", "two distances of 1e-15 each (SURFACE-2)", epsilon / 4.0),
+            within("convexity", 2e-15, "of the width",
+                   "two supports, and twice that of the sum, each right to 2.5e-16 (SURFACE-1); n and m are unit to ε",
+                   epsilon / 4.0),
+            within("farthest point", 2e-15, "of the width", "a support and a support point of 1e-15 each",
+                   epsilon / 4.0),
+            none("mirror", "digits that differ in a mirror"),
+            none("inside", "insides that are none, and supports that are not positive")},
        .mutants = {{"shape/surface.hpp", "zeta * (zeta + T(2) * stone.sphere_offset)",
                     "T(2) * zeta * (zeta + T(2) * stone.sphere_offset)"},
                    {"shape/surface.hpp", "const bool upper = !(p_B.z() < T(0));",
@@ -143,12 +155,16 @@ std::vector<Claim> surface_law_claims() {
        .function = "closest_point, support",
        .family = OracleFamily::invariant,
        .oracle = "central differences in long double",
-       .checks = {{.unit = "absolute; of the sphere's radius",
-                   .bound = 2.5e-8,
-                   .reason = "step 1e-8: where it straddles the switch, a quarter of the step times the jump of the "
-                             "curvature, which "
-                             "is 1 for the support, and up to 10 a tenth of the width outside",
-                   .resolution = 0.0}},
+       .checks = {within("normal", 5e-11, "absolute",
+                         "two distances, each rounded to 4 ε of long double of up to two widths, over twice the step "
+                         "of 1e-8"),
+                  within(
+                      "normal, at the switch", 2.6e-8, "absolute",
+                      "a quarter of the step times the jump of the curvature, up to 10 a tenth of the width outside, "
+                      "and what is rounded"),
+                  within("support point", 5e-11, "of the sphere's radius", "as the normal"),
+                  within("support point, at the switch", 2.6e-9, "of the sphere's radius",
+                         "a quarter of the step times the jump of the curvature, up to 1, and what is rounded")},
        .mutants = {{"shape/surface.hpp", "radial = at_centre ? T(0) : T(rho / reach);",
                     "radial = at_centre ? T(0) : T(rho / stone.core_sphere_radius);"},
                    {"shape/surface.hpp", "return stone.bevel_major_radius / radial + stone.bevel_minor_radius;",

@@ -1,0 +1,43 @@
+#pragma once
+/// \file
+/// What the claims' files share: short names of scalars, and checks that count.
+
+#include <goishi/rotation.hpp>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "verify/suite/claim.hpp"
+
+namespace goishi::verify {
+
+using Long = long double;
+using Long3 = Vec3<Long>;
+
+template <class T>
+inline constexpr double epsilon_of = static_cast<double>(std::numeric_limits<T>::epsilon());
+inline constexpr double epsilon = epsilon_of<double>;
+
+/// A check of values: its errors are within `bound`, and why. `resolution` as in `Check`.
+[[nodiscard]] inline Check within(std::string name, double bound, std::string unit, std::string reason,
+                                  double resolution = 0.0) {
+  return {.name = std::move(name),
+          .unit = std::move(unit),
+          .bound = bound,
+          .reason = std::move(reason),
+          .resolution = resolution};
+}
+
+/// What must not be: wrong choices, faults, refusals of what is right.
+[[nodiscard]] inline Check none(std::string name, std::string unit) {
+  return {
+      .name = std::move(name), .unit = std::move(unit), .bound = 0.0, .reason = "there must be none", .counts = true};
+}
+
+/// Sees whether something is right.
+template <class Describe>
+void see_choice(Worst& worst, bool right, Describe&& describe) {
+  worst.see(right ? 0.0 : 1.0, std::forward<Describe>(describe));
+}
+
+}  // namespace goishi::verify
