@@ -172,7 +172,7 @@ void see_drift(Context& context, Checks& checks, std::vector<Figure>& figures, c
     checks["momentum"].see(momentum_error, epsilon, describe_it);
     const double walk = epsilon * std::sqrt(static_cast<double>(steps));
     if (scheme == Scheme::implicit_midpoint) {
-      checks["energy of midpoint"].see(size, walk, describe_it);
+      checks["energy of midpoint"].see(size, 4.0 * walk + 0.01 * epsilon * static_cast<double>(steps), describe_it);
       continue;
     }
     if (is_example) {
@@ -354,7 +354,9 @@ std::vector<Claim> order_claims() {
        .family = OracleFamily::invariant,
        .oracle = "energy and |L| at the start, on a body without a symmetry axis",
        .checks = {within("momentum", 16.0, "ε", "through the attitude: a dozen roundings, none accumulating"),
-                  within("energy of midpoint", 2.0, "ε √n", "a random walk of some 2 ε a step"),
+                  within("energy of midpoint", 1.0, "of 4 ε √n + ε n/100",
+                         "a random walk of some 4 ε a step, and what rounds alike in every step (ORDER-4): measured "
+                         "2026-11-30 with seed 31, ε/160"),
                   within("energy, order 2", 5e-4, "relative", size), within("energy, order 4", 6e-8, "relative", size),
                   within("energy, order 6", 6e-11, "relative", size),
                   within("drift", 1.0, "of 1 % and 4 ε √n",
