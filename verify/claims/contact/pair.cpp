@@ -45,13 +45,13 @@ void see_consistent(const Context& context, const Pair& pair, const Witness& wit
   see(std::fabs(outside_stone(witness.one.hull, pair.pose, context.produced(at.p_stone))) / thin, "points");
   see(std::fabs(outside_stone(witness.two.hull, pair.other_pose, context.produced(at.p_other))) / thin, "points");
   Pair pushed = pair;
-  pushed.pose.p_WB -= at.gap * at.n_W;
+  pushed.pose.p_WB -= gap * at.n_W;
   if (at.certified) {
     // Of cores that overlap, a climb ends where the gap is right; how well the normal is, CONTACT-7 says.
     const Vec3<double> between = at.p_stone - at.p_other;
     const double off = cores_overlap ? std::fabs(at.n_W.dot(between) - gap) : (between - gap * at.n_W).norm();
     see(off / thin, "between the points");
-    see(std::fabs(context.produced(separation(pushed).gap)), "push-out");
+    see(std::fabs(separation(pushed).gap), "push-out");
   }
 }
 

@@ -135,9 +135,9 @@ Measurement measure_certificate(Context& context) {
     for (const Long3& x_B : points) {
       see(-static_cast<double>(least + n_B.dot(x_B)), "beyond the plane");
     }
-    pose.p_WB -= at.gap * at.n_W;
+    pose.p_WB -= gap * at.n_W;
     if (at.gap < 0.0 || i % 8 == 5) {
-      see(std::fabs(context.produced(separation(specimen.stone, pose, board).gap)), "push-out");
+      see(std::fabs(separation(specimen.stone, pose, board).gap), "push-out");
     }
   }
   return checks.measurement();

@@ -164,7 +164,8 @@ Measurement measure_friction(Context& context) {
           const double share = law == ImpactLaw::stronge ? 10.0 : 1.0;  // the process is integrated
           checks[check].see(error, scale * share, [&] { return what + describe(met, law); });
         };
-        const Long3 p = context.produced(end.impulse.impulse_W).cast<long double>();
+        const Vec3<double>& told = end.impulse.impulse_W;
+        const Long3 p(context.produced(told.x()), told.y(), told.z());  // a length would not be seen
         const double normal = as_double(p.dot(meeting.n));
         // Stronge's impulse is made of the change of velocity.
         const double unit = law == ImpactLaw::stronge ? meeting.scale / as_double(meeting.W.trace()) : 0.0;
