@@ -134,7 +134,7 @@ TEST(TouchingBody, ABallThatSlidesComesToRoll) {
                              .transverse = radius * radius * 2 / 5,
                              .gravity = g,
                              .mu = mu};
-  const TouchingPath path = follow(ball, {0, 0, 0.5L, 0, 0, speed, 0, 0, 0, 0}, 0.03L);
+  const TouchingPath path = follow(ball, TouchingState{0, 0, 0.5L, 0, 0, speed, 0, 0, 0, 0}, 0.03L);
   ASSERT_FALSE(path.gave_up);
   ASSERT_EQ(path.events.size(), 1U);
   EXPECT_EQ(path.events[0].kind, "stick");
@@ -152,6 +152,29 @@ TEST(TouchingBody, RollingKeepsEnergy) {
   ASSERT_FALSE(path.gave_up || path.lifted);
   EXPECT_GT(std::fabs(path.end[2] - start[2]), 1e-3L);
   expect_relative(energy_of(body, path.end), energy_of(body, start), 1e-10);
+}
+
+TEST(TouchingBody, NearTheVerticalRollingKeepsEnergyAndItsIntegrals) {
+  const TouchingBody body = touching_size_33(TouchingBody::Law::dry, 100);
+  const SpinningCap<Long> stone = spinning_size_33();
+  const Long spin = stone.axial * 5;
+  TouchingState start = {0, 0, 0.03L, 0.1L, 0.2L, 0, 0, 4, spin + 1e-9L, spin};  // out to a fifth of a radian, and back
+  const auto slip = slip_of(body, start);
+  start[5] = -slip[0];
+  start[6] = -slip[1];
+  const auto jellett = [&](const TouchingState& y) { return stone.d * y[9] - stone.r * y[8]; };
+  const auto routh = [&](const TouchingState& y) {
+    return y[9] * y[9] * (stone.transverse * stone.axial + stone.lever(std::cos(y[2])));
+  };
+  for (const Long time : {0.02L, 0.06L, 0.1L}) {
+    const TouchingPath path = follow(body, start, time);
+    ASSERT_FALSE(path.gave_up || path.lifted);
+    expect_relative(energy_of(body, path.end), energy_of(body, start), 1e-11);
+    expect_relative(jellett(path.end), jellett(start), 1e-12);
+    expect_relative(routh(path.end), routh(start), 1e-11);
+    const auto left = slip_of(body, path.end);
+    EXPECT_LT(std::hypot(left[0], left[1]), 1e-13L);
+  }
 }
 
 TEST(TouchingBody, FrictionOnTheCapKeepsJellettsIntegral) {

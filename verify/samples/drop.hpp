@@ -13,6 +13,7 @@
 #include "verify/oracles/drop/spin.hpp"
 #include "verify/oracles/stone/geometry.hpp"
 #include "verify/oracles/stone/profile.hpp"
+#include "verify/samples/faults.hpp"
 #include "verify/samples/stone.hpp"
 #include "verify/suite/claim.hpp"
 
@@ -112,6 +113,12 @@ struct Witnessed {
                 gravity.cast<Long>().dot(state.p_WB.cast<Long>());
   seen.momentum = L.norm();
   return seen;
+}
+
+/// What rolling on the cap keeps beside energy and Jellett's integral: ω_u² (I_t I_a + I_t r² (1 − z²) + I_a (d − r z)²).
+[[nodiscard]] inline Long routh(const Pebble& pebble, const Witnessed& seen) {
+  const Long spin = seen.w.dot(seen.u);
+  return spin * spin * (pebble.transverse * pebble.axial + pebble.cap().lever(seen.u.z()));
 }
 
 /// On the cap, the contact point over the origin's vertical but for the lever; turning with ω, the centre moving along

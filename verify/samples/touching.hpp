@@ -57,93 +57,86 @@ struct Subject {
   return drawn;
 }
 
-/// A state in contact in the witness's coordinates.
-[[nodiscard]] inline TouchingState coordinates_of(const Subject& subject, const State<double>& state) {
+/// A state in contact as the witness takes it.
+[[nodiscard]] inline TouchingPose pose_of(const Subject& subject, const State<double>& state) {
+  const auto triple_of = [](const Long3& v) { return std::array<Long, 3>{v.x(), v.y(), v.z()}; };
   const Quat<Long> q = state.q_WB.cast<Long>().normalized();
-  const Long3 L = state.L_W.cast<Long>() / static_cast<Long>(subject.body.mass), u = q * Long3(0, 0, 1);
-  const Long radial = std::hypot(u.x(), u.y());
-  const Long3 nodes(-u.y() / radial, u.x() / radial, 0), down = nodes.cross(u), e = q * Long3(1, 0, 0);
-  return {state.p_WB.x(),
-          state.p_WB.y(),
-          std::atan2(radial, u.z()),
-          std::atan2(u.y(), u.x()),
-          std::atan2(e.dot(nodes), e.dot(down)),
-          state.v_WB.x(),
-          state.v_WB.y(),
-          L.dot(nodes) / subject.witness.transverse,
-          L.z(),
-          L.dot(u)};
+  return {.p = triple_of(state.p_WB.cast<Long>()),
+          .u = triple_of(q * Long3(0, 0, 1)),
+          .e = triple_of(q * Long3(1, 0, 0)),
+          .v = {state.v_WB.x(), state.v_WB.y()},
+          .L = triple_of(state.L_W.cast<Long>() / static_cast<Long>(subject.body.mass))};
 }
 
-/// The end as the witness has it: place, axis and a point of the equator (attitude), momentum per mass.
-struct End {
-  Long3 p, u, e, L;
-};
-
-[[nodiscard]] inline End end_of(const TouchingBody& body, const TouchingState& y) {
-  const auto [x, z, theta, phi, psi] = std::array<Long, 5>{y[0], y[1], y[2], y[3], y[4]};
-  const Long s = std::sin(theta), c = std::cos(theta), sp = std::sin(phi), cp = std::cos(phi);
-  const Long3 u(s * cp, s * sp, c), down(c * cp, c * sp, -s), nodes(-sp, cp, 0);
-  const Long precession_rate = (y[8] - y[9] * c) / (body.transverse * s * s);
-  return {Long3(x, z, height_of(body, theta)), u, std::cos(psi) * down + std::sin(psi) * nodes,
-          body.transverse * (y[7] * nodes - precession_rate * s * down) + y[9] * u};
-}
-
-/// How far a state is from the witness's.
-[[nodiscard]] inline Long difference(const Context& context, const Subject& subject, const State<double>& state,
-                                     const TouchingState& then) {
+/// How far a state is from the witness's: place, axis and a point of the equator, momentum.
+[[nodiscard]] inline std::array<Long, 3> differences(const Context& context, const Subject& subject,
+                                                     const State<double>& state, const TouchingPose& end) {
   const TouchingBody& body = subject.witness;
-  const End end = end_of(body, then);
+  const auto vector = [](const std::array<Long, 3>& v) { return Long3(v[0], v[1], v[2]); };
   const Long R = static_cast<Long>(outer_width(subject.specimen.stone)) / 2;
   const Quat<Long> q = state.q_WB.cast<Long>();
-  const Long3 L = state.L_W.cast<Long>() / static_cast<Long>(subject.body.mass);
-  Long3 p = state.p_WB.cast<Long>();
-  p.x() = context.produced(state.p_WB.x());
+  const Long3 L = context.produced(state.L_W).cast<Long>() / static_cast<Long>(subject.body.mass);
+  const Long3 p = context.produced(state.p_WB).cast<Long>();
   const Long turned = std::sqrt(static_cast<Long>(g_earth) / R) * body.transverse;
-  return std::max({(p - end.p).norm() / R, (q * Long3(0, 0, 1) - end.u).norm(), (q * Long3(1, 0, 0) - end.e).norm(),
-                   (L - end.L).norm() / (end.L.norm() + turned)});
+  const Long axis = (context.produced(Long3(q * Long3(0, 0, 1))) - vector(end.u)).norm();
+  return {(p - vector(end.p)).norm() / R, std::max(axis, (q * Long3(1, 0, 0) - vector(end.e)).norm()),
+          (L - vector(end.L)).norm() / (vector(end.L).norm() + turned)};
 }
 
 struct Located {
   int phases = 0, left_out = 0;
+  double seconds = 0.0, judged = 0.0;  // in contact, and of that those that are not left out
   int feature = 0, slip = 0, stick = 0;
 };
 
 [[nodiscard]] inline std::string describe(const Located& located) {
-  return fmt::format("{}, {} of them left out; {} changes of feature, {} slips, {} sticks", located.phases,
-                     located.left_out, located.feature, located.slip, located.stick);
+  return fmt::format("{}, {} of them left out; {} changes of feature, {} slips, {} sticks; {:.3g} of {:.3g} s",
+                     located.phases, located.left_out, located.feature, located.slip, located.stick, located.judged,
+                     located.seconds);
 }
 
+/// A state on the way, and when.
+struct Moment {
+  double time;
+  const State<double>& state;
+};
+
+inline constexpr double longest_stretch = 0.25;  // [s] then the witness's own errors grow
+
 /// A stretch of a drop in contact, held against the witness, who starts where it started.
-inline void see_stretch(const Context& context, const Subject& subject, const Event<double>& from,
-                        const Event<double>& to, Worst& worst, Located& located) {
+inline void see_stretch(const Context& context, const Subject& subject, const Moment& from, const Moment& to,
+                        Checks& checks, Located& located) {
   const double duration = to.time - from.time;
-  const double longest = 0.25;  // [s] then the witness's own errors grow
-  if (!(1e-4 < duration && duration < longest)) {
+  if (!(1e-4 < duration && duration <= longest_stretch)) {
     return;
   }
   ++located.phases;
-  const TouchingPath path = follow(subject.witness, coordinates_of(subject, from.after), duration);
+  const TouchingPath path = follow(subject.witness, pose_of(subject, from.state), duration);
   if (path.gave_up) {
     ++located.left_out;
     return;
   }
-  const Long error = path.lifted && path.time < 0.999999L * static_cast<Long>(duration)
-                         ? Long(1)
-                         : difference(context, subject, to.before, path.end);
-  worst.see(as_double(error), [&] {
-    return fmt::format("{}, {} at {} s to {} at {} s, μ = {:a}, {}", describe(subject.specimen), to_string(from.kind),
-                       from.time, to_string(to.kind), to.time, subject.settings.friction,
-                       to_string(subject.settings.friction_model));
-  });
+  const auto describe_case = [&] {
+    return fmt::format("{}, {} s to {} s, μ = {:a}, {}", describe(subject.specimen), from.time, to.time,
+                       subject.settings.friction, to_string(subject.settings.friction_model));
+  };
+  located.judged += duration;
+  const bool lifts_before = path.lifted && path.time < 0.999999L * static_cast<Long>(duration);
+  checks["faults"].see(lifts_before ? 1.0 : 0.0, [&] { return "it lifts off before: " + describe_case(); });
+  if (!lifts_before) {
+    const auto [place, attitude, momentum] = differences(context, subject, to.state, path.pose);
+    checks["place"].see(as_double(place), describe_case);
+    checks["attitude"].see(as_double(attitude), describe_case);
+    checks["momentum"].see(as_double(momentum), describe_case);
+  }
   for (const TouchingEvent& event : path.events) {
     ++(event.kind == "feature" ? located.feature : event.kind == "slip" ? located.slip : located.stick);
   }
 }
 
 /// A drop that gave up has stretches that nobody sees.
-inline void see_status(const Subject& subject, const Drop<double>& drop, Worst& worst) {
-  worst.see(drop.status == DropStatus::rest || drop.status == DropStatus::moving ? 0.0 : 1.0, [&] {
+inline void see_status(const Subject& subject, const Drop<double>& drop, Checks& checks) {
+  checks["faults"].see(drop.status == DropStatus::rest || drop.status == DropStatus::moving ? 0.0 : 1.0, [&] {
     return fmt::format("{}: the drop ends as '{}' after {} s", describe(subject.specimen), to_string(drop.status),
                        drop.time);
   });
@@ -156,7 +149,7 @@ inline void see_status(const Subject& subject, const Drop<double>& drop, Worst& 
 }
 
 /// The contact phases of a drop, each as a whole: all that the witness has is where it began.
-inline void see_phases(const Context& context, const Subject& subject, const Drop<double>& drop, Worst& worst,
+inline void see_phases(const Context& context, const Subject& subject, const Drop<double>& drop, Checks& checks,
                        Located& located) {
   for (std::size_t i = 0; i < drop.events.size(); ++i) {
     if (drop.events[i].kind != EventKind::contact) {
@@ -167,17 +160,42 @@ inline void see_phases(const Context& context, const Subject& subject, const Dro
            drop.events[last + 1].kind != EventKind::rest) {
       ++last;
     }
-    see_stretch(context, subject, drop.events[i], drop.events[last], worst, located);
+    const Event<double>&from = drop.events[i], &to = drop.events[last];
+    located.seconds += to.time - from.time;
+    see_stretch(context, subject, {from.time, from.after}, {to.time, to.before}, checks, located);
   }
 }
 
-/// The first stretches of a drop in contact, from event to event.
-inline void see_stretches(const Context& context, const Subject& subject, const Drop<double>& drop, Worst& worst,
-                          Located& located) {
-  const int most = located.phases + 12;
-  for (std::size_t i = 0; i + 1 < drop.events.size() && located.phases < most; ++i) {
-    if (stays(drop.events[i].kind) && drop.events[i + 1].kind != EventKind::rest) {
-      see_stretch(context, subject, drop.events[i], drop.events[i + 1], worst, located);
+/// The first twelve stretches of a drop in contact, from event to event, and the last three. Long ones, and the one that
+/// comes to rest but for its last hundredth, in parts: the same drop is stopped on the way.
+inline void see_stretches(const Context& context, const Subject& subject, const State<double>& start,
+                          const Drop<double>& drop, Checks& checks, Located& located) {
+  std::vector<std::size_t> begins;
+  for (std::size_t i = 0; i + 1 < drop.events.size(); ++i) {
+    if (stays(drop.events[i].kind)) {
+      begins.push_back(i);
+      located.seconds += drop.events[i + 1].time - drop.events[i].time;
+    }
+  }
+  for (std::size_t k = 0; k < begins.size(); ++k) {
+    if (12 <= k && k + 3 < begins.size()) {
+      continue;
+    }
+    const Event<double>&from = drop.events[begins[k]], &to = drop.events[begins[k] + 1];
+    const bool rests = to.kind == EventKind::rest;
+    const double end = rests ? to.time - 0.01 * (to.time - from.time) : to.time;
+    State<double> state = from.after;
+    double time = from.time;
+    while (rests ? time < end : longest_stretch < end - time) {
+      DropSettings<double> settings = subject.settings;
+      settings.horizon = std::min(time + longest_stretch, end);
+      const Drop<double> part = goishi::drop(subject.specimen.stone, subject.body, start, settings);
+      see_stretch(context, subject, {time, state}, {part.time, part.state}, checks, located);
+      state = part.state;
+      time = part.time;
+    }
+    if (!rests) {
+      see_stretch(context, subject, {time, state}, {to.time, to.before}, checks, located);
     }
   }
 }

@@ -171,7 +171,8 @@ template <Ordered T>
 /// Climbs from `at`, met along its normal, to a maximum of g. False if it does not get there.
 template <Ordered T>
 [[nodiscard]] bool climb(const Pair<T>& pair, PairPoint<T>& at) {
-  constexpr int most_steps = 60, most_halvings = 30;
+  // From a rim, whose points bend nothing, to where a cap of a thin stone turns with the steepness of its sphere.
+  constexpr int most_steps = 60, most_halvings = 48;
   const T small = T(16) * std::numeric_limits<T>::epsilon() * pair.scale;
   PairPoint<T> other;
   PairPoint<T>*now = &at, *next = &other;

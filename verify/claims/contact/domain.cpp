@@ -16,7 +16,7 @@ namespace {
 using namespace domain;
 
 template <class T>
-void see_magnitudes(Context& context, Worst& worst, int count) {
+void see_magnitudes(Context& context, Checks& checks, int count) {
   for (int i = 0; i < count; ++i) {
     const Drawn drawn = draw(context, i);
     const Scene<T> usual = make_scene<T>(drawn, T(1));
@@ -33,9 +33,9 @@ void see_magnitudes(Context& context, Worst& worst, int count) {
                            describe(drawn.second, drawn.other_pose));
       };
       const Long off = produced(context, found[k]) / static_cast<Long>(factor) - static_cast<Long>(expected[k].gap);
-      worst.see(defect(found[k]).empty() && found[k].certified == expected[k].certified ? 0.0 : wrong, describe_case);
-      worst.see(static_cast<double>(std::fabs(static_cast<Long>(context.produced(1.0)) - 1 + off / scale)),
-                describe_case);
+      const bool alike = defect(found[k]).empty() && found[k].certified == expected[k].certified;
+      checks["faults"].see(alike ? 0.0 : 1.0, describe_case);
+      checks["gap"].see(static_cast<double>(std::fabs(off / scale)), describe_case);
     }
     // Times are the same, where the flight is within what is taken.
     if (i % 4 != 0 || !(greatest(other.stone, other.path) < most_of<T> / 2) ||
@@ -46,18 +46,21 @@ void see_magnitudes(Context& context, Worst& worst, int count) {
     const T horizon = T(1) / T(4);
     const auto when = impacts(usual, horizon), then = impacts(other, horizon);
     for (std::size_t k = 0; k < 3; ++k) {
-      const double off = std::fabs(static_cast<double>(then[k].time - when[k].time));
-      worst.see(then[k].status == when[k].status && off <= 1e-9 ? 0.0 : wrong, [&] {
-        return fmt::format("time of impact, {} 2^{}: {} at {} for {} at {}; {}, {}", kinds[k], e,
-                           to_string(then[k].status), then[k].time, to_string(when[k].status), when[k].time,
-                           describe(drawn.first, drawn.pose), describe(drawn.second, drawn.other_pose));
-      });
+      const auto describe_time = [&] {
+        return fmt::format("{} 2^{}: {} at {} for {} at {}; {}, {}", kinds[k], e, to_string(then[k].status),
+                           then[k].time, to_string(when[k].status), when[k].time, describe(drawn.first, drawn.pose),
+                           describe(drawn.second, drawn.other_pose));
+      };
+      checks["faults"].see(then[k].status == when[k].status ? 0.0 : 1.0, describe_time);
+      const double time = context.produced(static_cast<double>(then[k].time));
+      checks["time"].see(std::fabs(time - static_cast<double>(when[k].time)), static_cast<double>(horizon * epsilon<T>),
+                         describe_time);
     }
   }
 }
 
 template <class T>
-void see_far(Context& context, Worst& worst, int count) {
+void see_far(Context& context, Checks& checks, int count) {
   for (int i = 0; i < count; ++i) {
     Drawn drawn = draw(context, 2 * i + 1);
     Scene<T> scene = make_scene<T>(drawn, T(1));
@@ -86,24 +89,21 @@ void see_far(Context& context, Worst& worst, int count) {
                            static_cast<double>(gap), static_cast<double>(distances[k]),
                            describe(drawn.first, drawn.pose), describe(drawn.second, drawn.other_pose));
       };
-      worst.see(defect(found[k]).empty() ? 0.0 : wrong, describe_case);
+      checks["faults"].see(defect(found[k]).empty() ? 0.0 : 1.0, describe_case);
       if (k == 1 && !(distances[k] > 0)) {
         continue;  // inside
       }
-      worst.see(static_cast<double>(std::max({distances[k] - reaches[k] - gap, gap - distances[k], Long(0)}) / scale),
-                describe_case);
-      worst.see(std::fabs(static_cast<double>(found[k].p_stone.template cast<Long>().dot(along.template cast<Long>()) -
-                                              p.dot(along.template cast<Long>()))) <=
-                        static_cast<double>(2 * reach + 16 * scale)
-                    ? 0.0
-                    : wrong,
-                describe_case);
+      checks["gap"].see(
+          static_cast<double>(std::max({distances[k] - reaches[k] - gap, gap - distances[k], Long(0)}) / scale),
+          describe_case);
+      const Long off = (found[k].p_stone.template cast<Long>() - p).dot(along.template cast<Long>());
+      checks["faults"].see(std::fabs(off) <= 2 * reach + 16 * scale ? 0.0 : 1.0, describe_case);
     }
   }
 }
 
 template <class T>
-void see_attitudes(Context& context, Worst& worst, int count) {
+void see_attitudes(Context& context, Checks& checks, int count) {
   for (int i = 0; i < count; ++i) {
     const Drawn drawn = draw(context, i);
     const Scene<T> unit = make_scene<T>(drawn, T(1));
@@ -118,25 +118,23 @@ void see_attitudes(Context& context, Worst& worst, int count) {
                            describe(drawn.second, drawn.other_pose));
       };
       if (found[k].certified && expected[k].certified) {
-        worst.see(
-            static_cast<double>(std::fabs(produced(context, found[k]) - static_cast<Long>(expected[k].gap)) / scale),
-            describe_case);
+        const Long change = std::fabs(produced(context, found[k]) - static_cast<Long>(expected[k].gap));
+        checks[k == 2 ? "pair" : "gap"].see(static_cast<double>(change / scale), describe_case);
       }
-      worst.see(defect(found[k]).empty() ? 0.0 : wrong, describe_case);
+      checks["faults"].see(defect(found[k]).empty() ? 0.0 : 1.0, describe_case);
     }
     // Taken as it is: by |q|² − 1 of the width.
-    const T taken = surface_gap(off.stone, off.pose) - surface_gap(unit.stone, unit.pose);
-    worst.see(static_cast<double>(
-                  std::max(std::fabs(static_cast<Long>(taken)) -
-                               std::fabs(static_cast<Long>(share)) * static_cast<Long>(outer_width(unit.stone)),
-                           Long(0)) /
-                  scale),
-              [&] { return "surface_gap: " + describe(drawn.first, drawn.pose); });
+    const double taken = context.produced(static_cast<double>(surface_gap(off.stone, off.pose))) -
+                         static_cast<double>(surface_gap(unit.stone, unit.pose));
+    const Long most = std::fabs(static_cast<Long>(share)) * static_cast<Long>(outer_width(unit.stone));
+    checks["surface gap"].see(
+        static_cast<double>(std::max(std::fabs(static_cast<Long>(taken)) - most, Long(0)) / scale),
+        [&] { return describe(drawn.first, drawn.pose); });
   }
 }
 
 template <class T>
-void see_rounding(Context& context, Worst& worst, int count) {
+void see_rounding(Context& context, Checks& checks, int count) {
   for (int i = 0; i < count; ++i) {
     const Drawn drawn = draw(context, i);
     const Scene<T> scene = make_scene<T>(drawn, T(1));
@@ -148,16 +146,14 @@ void see_rounding(Context& context, Worst& worst, int count) {
       const auto when = impacts(scene, T(1) / T(8));
       std::fesetround(FE_TONEAREST);
       for (std::size_t k = 0; k < 3; ++k) {
-        const Long scale = (k == 2 ? 10 : 1) * unit;  // as what is said of their errors
         const auto describe_case = [&] {
           return fmt::format("{}, rounding {} ({}): {}, {}", kinds[k], mode, defect(found[k]),
                              describe(drawn.first, drawn.pose), describe(drawn.second, drawn.other_pose));
         };
-        worst.see(defect(found[k]).empty() && std::isfinite(when[k].time) ? 0.0 : wrong, describe_case);
+        checks["faults"].see(defect(found[k]).empty() && std::isfinite(when[k].time) ? 0.0 : 1.0, describe_case);
         if (found[k].certified && expected[k].certified) {
-          worst.see(
-              static_cast<double>(std::fabs(produced(context, found[k]) - static_cast<Long>(expected[k].gap)) / scale),
-              describe_case);
+          const Long off = std::fabs(produced(context, found[k]) - static_cast<Long>(expected[k].gap));
+          checks[k == 2 ? "pair" : "gap"].see(static_cast<double>(off / unit), describe_case);
         }
       }
     }
@@ -166,7 +162,7 @@ void see_rounding(Context& context, Worst& worst, int count) {
 
 /// Stones of denormal numbers are refused; poses of denormal numbers are zeros.
 template <class T>
-void see_denormals(Context& context, Worst& worst, int count) {
+void see_denormals(Context& context, Checks& checks, int count) {
   for (int i = 0; i < count; ++i) {
     const Drawn drawn = draw(context, i);
     bool refused = false;
@@ -195,11 +191,10 @@ void see_denormals(Context& context, Worst& worst, int count) {
                            expected[k].gap, describe(drawn.first, drawn.pose),
                            describe(drawn.second, drawn.other_pose));
       };
-      worst.see(refused && defect(found[k]).empty() ? 0.0 : wrong, describe_case);
+      checks["faults"].see(refused && defect(found[k]).empty() ? 0.0 : 1.0, describe_case);
       if (found[k].certified && expected[k].certified) {
-        worst.see(static_cast<double>(std::fabs(produced(context, found[k]) - static_cast<Long>(expected[k].gap)) /
-                                      (size_of(zero) * epsilon<T>)),
-                  describe_case);
+        const Long off = std::fabs(produced(context, found[k]) - static_cast<Long>(expected[k].gap));
+        checks["gap"].see(static_cast<double>(off / (size_of(zero) * epsilon<T>)), describe_case);
       }
     }
   }
@@ -208,7 +203,7 @@ void see_denormals(Context& context, Worst& worst, int count) {
 /// Flights whose numbers are of all magnitudes, each for itself: the answer makes sense, or the flight is refused where it
 /// is said to be.
 template <class T>
-void see_flights(Context& context, Worst& worst, int count) {
+void see_flights(Context& context, Checks& checks, int count) {
   int refused = 0;
   for (int i = 0; i < count; ++i) {
     const Drawn drawn = draw(context, 2 * i + 1);
@@ -234,17 +229,17 @@ void see_flights(Context& context, Worst& worst, int count) {
       (void)time_of_impact(scene.stone, scene.path, scene.board, horizon);
     } catch (const InvalidArgument&) {
       ++refused;
-      worst.see(taken ? wrong : 0.0, describe_case);
+      checks["faults"].see(taken ? 1.0 : 0.0, describe_case);
       continue;
     }
-    worst.see(not_taken ? wrong : 0.0, describe_case);
+    checks["faults"].see(not_taken ? 1.0 : 0.0, describe_case);
     if (found.status == ImpactStatus::none || found.status == ImpactStatus::overlapping) {
       const T expected = found.status == ImpactStatus::none ? horizon : T(0);
-      worst.see(found.time == expected ? 0.0 : wrong, describe_case);
+      checks["faults"].see(found.time == expected ? 0.0 : 1.0, describe_case);
     }
     if (found.status == ImpactStatus::hit) {
-      worst.see(defect(found.contact).empty() && found.time >= T(0) && found.time <= horizon ? 0.0 : wrong,
-                describe_case);
+      const bool sensible = defect(found.contact).empty() && found.time >= T(0) && found.time <= horizon;
+      checks["faults"].see(sensible ? 0.0 : 1.0, describe_case);
     }
     // The centre is never nearer than half the thickness before, and at a hit no farther than half the width.
     const auto height = [&](Long t) {
@@ -263,102 +258,102 @@ void see_flights(Context& context, Worst& worst, int count) {
     if (found.status != ImpactStatus::overlapping) {
       for (int k = 0; k < 20; ++k) {
         const Long t = end * k / 20;
-        worst.see(
+        checks["before"].see(
             static_cast<double>(std::max(static_cast<Long>(scene.stone.height) / 2 - height(t), Long(0)) / noise(t)),
             describe_case);
       }
     }
     if (found.status == ImpactStatus::hit) {
       const Long reach = static_cast<Long>(outer_width(scene.stone)) / 2;
-      worst.see(static_cast<double>(std::max(height(end) - reach, Long(0)) / noise(end)), describe_case);
+      checks["hit"].see(static_cast<double>(std::max(height(end) - reach, Long(0)) / noise(end)), describe_case);
     }
   }
-  worst.see(refused > 0 ? 0.0 : wrong, [] { return "none was refused"; });
-}
-
-template <class See>
-Measurement in_both(Context& context, See&& see) {
-  Worst worst;
-  see(context, worst, float());
-  see(context, worst, double());
-  return worst.measurement();
+  checks["faults"].see(refused > 0 ? 0.0 : 1.0, [] { return "none was refused"; });
 }
 
 }  // namespace
 
 std::vector<Claim> domain_contact_claims() {
-  const auto claim = [](const char* id, const char* statement, const char* oracle, OracleFamily family, double bound,
-                        const char* reason, std::vector<Mutant> mutants, std::function<Measurement(Context&)> measure) {
+  const auto in_epsilon = [](const char* name, double bound, const char* reason) {
+    return Check{.name = name,
+                 .unit = "ε of float or double, of widths and distances",
+                 .bound = bound,
+                 .reason = reason,
+                 .resolution = 0.25};
+  };
+  const auto claim = [](const char* id, const char* statement, const char* oracle, OracleFamily family,
+                        std::vector<Check> checks, std::vector<Mutant> mutants, auto see, int quick, int full) {
+    checks.push_back(no_faults());
     return Claim{.id = id,
                  .statement = statement,
                  .function = "separation (plane, board, stones), surface_gap, time_of_impact",
                  .family = family,
                  .oracle = oracle,
-                 .checks = {{.unit = "ε of float or double, of widths and distances",
-                             .bound = bound,
-                             .reason = reason,
-                             .resolution = 0.25}},
+                 .checks = std::move(checks),
                  .mutants = std::move(mutants),
-                 .measure = std::move(measure)};
+                 .measure = [see, quick, full](Context& context) {
+                   Checks seen;
+                   see(context, seen, context.samples(quick, full), float());
+                   see(context, seen, context.samples(quick, full), double());
+                   return seen.measurement();
+                 }};
   };
   return {
-      claim("DOMAIN-CONTACT-1",
-            "A scene as small or as large as its stones may be (`require_length`) has as many times the gaps and the "
-            "same "
-            "times of impact.",
-            "the same scene at its usual size; the factor is a power of two", OracleFamily::relation, 8.0,
-            "a search in another world of another size rounds as it does in this one; points are moved there",
-            {{"contact/stone_stone.hpp", "return Squares<T>::hold(pair.scale) ?", "return true ?"}},
-            [](Context& context) {
-              return in_both(context, [](Context& c, Worst& worst, auto t) {
-                see_magnitudes<decltype(t)>(c, worst, c.samples(1500, 20000));
-              });
-            }),
-      claim("DOMAIN-CONTACT-2",
-            "From up to 1e150 away, 1e18 in float, a gap is the distance of the centre less what the stones reach.",
-            "the distances of points", OracleFamily::exact, 8.0, "the roundings of the place, of a product and of sums",
-            {{"contact/contact.hpp", "result.gap / factor", "result.gap"}},
-            [](Context& context) {
-              return in_both(context, [](Context& c, Worst& worst, auto t) {
-                see_far<decltype(t)>(c, worst, c.samples(2000, 20000));
-              });
-            }),
-      claim("DOMAIN-CONTACT-3",
-            "An attitude whose |q|² is off by 60 ε, as much as is taken, changes no gap by more than round-off.",
-            "the same attitude, normalised", OracleFamily::relation, 64.0,
-            "the axis is off by some ε; of two stones ten times as much, as what is said of their error",
-            {{"contact/contact.hpp", ".u_W = symmetry_axis(pose.q_WB)", ".u_W = formula::symmetry_axis(pose.q_WB)"}},
-            [](Context& context) {
-              return in_both(context, [](Context& c, Worst& worst, auto t) {
-                see_attitudes<decltype(t)>(c, worst, c.samples(2000, 20000));
-              });
-            }),
-      claim("DOMAIN-CONTACT-4", "Gaps are right in each rounding mode.", "the gap in the usual one",
-            OracleFamily::relation, 64.0,
-            "as many roundings, all to one side; of two stones ten times as much, as what is said of their error", {},
-            [](Context& context) {
-              return in_both(context, [](Context& c, Worst& worst, auto t) {
-                see_rounding<decltype(t)>(c, worst, c.samples(1000, 10000));
-              });
-            }),
-      claim("DOMAIN-CONTACT-5", "Stones of denormal numbers are refused; places of denormal numbers are zeros.",
-            "the same scene with zeros", OracleFamily::relation, 8.0, "the roundings of a search",
-            {{"contact/contact.hpp", "length < T(1) ? larger : smaller", "smaller"}},
-            [](Context& context) {
-              return in_both(context, [](Context& c, Worst& worst, auto t) {
-                see_denormals<decltype(t)>(c, worst, c.samples(1000, 10000));
-              });
-            }),
-      claim("DOMAIN-CONTACT-6",
-            "Flights of numbers of all magnitudes are answered with sense, or refused where they are said to be.",
-            "the parabola of the centre in long double", OracleFamily::exact, 64.0,
-            "the round-off of the parabola at the time",
-            {{"contact/flight_path.hpp", "r * scalar::sq(path.rate) < most", "true"}},
-            [](Context& context) {
-              return in_both(context, [](Context& c, Worst& worst, auto t) {
-                see_flights<decltype(t)>(c, worst, c.samples(4000, 40000));
-              });
-            }),
+      claim(
+          "DOMAIN-CONTACT-1",
+          "A scene as small or as large as its stones may be (`require_length`) has as many times the gaps and the "
+          "same times of impact.",
+          "the same scene at its usual size; the factor is a power of two", OracleFamily::relation,
+          {in_epsilon("gap", 2.0, "a search in another world of another size rounds as it does in this one"),
+           {.name = "time",
+            .unit = "ε of float or double, of the horizon",
+            .bound = 1.0,
+            .reason = "the same",
+            .resolution = 0.25}},
+          {{"contact/stone_stone.hpp", "return Squares<T>::hold(pair.scale) ?", "return true ?"}},
+          [](Context& c, Checks& checks, int count, auto t) { see_magnitudes<decltype(t)>(c, checks, count); }, 1500,
+          20000),
+      claim(
+          "DOMAIN-CONTACT-2",
+          "From up to 1e150 away, 1e18 in float, a gap is the distance of the centre less what the stones reach.",
+          "the distances of points", OracleFamily::exact,
+          {in_epsilon("gap", 6.0, "the roundings of the place, of a product and of sums")},
+          {{"contact/contact.hpp", "result.gap / factor", "result.gap"}},
+          [](Context& c, Checks& checks, int count, auto t) { see_far<decltype(t)>(c, checks, count); }, 2000, 20000),
+      claim(
+          "DOMAIN-CONTACT-3",
+          "An attitude whose |q|² is off by 60 ε, as much as is taken, changes no gap by more than round-off.",
+          "the same attitude, normalised", OracleFamily::relation,
+          {in_epsilon("gap", 8.0, "the axis is off by some ε"),
+           in_epsilon("pair", 12.0, "of two stones some more: measured 2026-11-30 with 13 seeds: up to 2.7"),
+           in_epsilon("surface gap", 4.0, "beyond what |q|² − 1 is of the width: it is taken as it is")},
+          {{"contact/contact.hpp", ".u_W = symmetry_axis(pose.q_WB)", ".u_W = formula::symmetry_axis(pose.q_WB)"}},
+          [](Context& c, Checks& checks, int count, auto t) { see_attitudes<decltype(t)>(c, checks, count); }, 2000,
+          20000),
+      claim(
+          "DOMAIN-CONTACT-4", "Gaps are right in each rounding mode.", "the gap in the usual one",
+          OracleFamily::relation,
+          {in_epsilon("gap", 20.0, "as many roundings, all to one side"),
+           in_epsilon("pair", 150.0,
+                      "of two stones more, where cores all but touch; measured 2026-11-30: 8.1 with 13 seeds, 50 in "
+                      "the full tier")},
+          {}, [](Context& c, Checks& checks, int count, auto t) { see_rounding<decltype(t)>(c, checks, count); }, 1000,
+          10000),
+      claim(
+          "DOMAIN-CONTACT-5", "Stones of denormal numbers are refused; places of denormal numbers are zeros.",
+          "the same scene with zeros", OracleFamily::relation, {in_epsilon("gap", 2.0, "the roundings of a search")},
+          {{"contact/contact.hpp", "length < T(1) ? larger : smaller", "smaller"}},
+          [](Context& c, Checks& checks, int count, auto t) { see_denormals<decltype(t)>(c, checks, count); }, 1000,
+          10000),
+      claim(
+          "DOMAIN-CONTACT-6",
+          "Flights of numbers of all magnitudes are answered with sense, or refused where they are said to be.",
+          "the parabola of the centre in long double", OracleFamily::exact,
+          {in_epsilon("before", 2.0, "the round-off of the parabola at the time"),
+           in_epsilon("hit", 32.0, "the round-off of the parabola at the time")},
+          {{"contact/flight_path.hpp", "r * scalar::sq(path.rate) < most", "true"}},
+          [](Context& c, Checks& checks, int count, auto t) { see_flights<decltype(t)>(c, checks, count); }, 4000,
+          40000),
   };
 }
 

@@ -32,33 +32,31 @@ struct Witness {
 /// gap is that of the two points, of the swapped pair, and 0 after the push-out.
 template <class See>
 void see_consistent(const Context& context, const Pair& pair, const Witness& witness, const Separation<double>& at,
-                    bool cores_overlap, See&& see) {
+                    See&& see) {
   const double gap = context.produced(at.gap);
-  see(std::fabs(static_cast<double>(witness.along(at.n_W) - static_cast<long double>(gap))),
-      "the gap is not that of its normal");
+  // Of a thin stone, support points turn about its sphere's centre, and a normal is known as well as that is.
+  const double scale = std::max(2.0 * reach_of(pair), (pair.pose.p_WB - pair.other_pose.p_WB).norm());
+  const double thin = 1.0 + (pair.first.stone.sphere_radius + pair.second.stone.sphere_radius) / scale;
+  see(std::fabs(static_cast<double>(witness.along(at.n_W) - static_cast<long double>(gap))), "gap");
   const Separation<double> swapped = separation(pair.second.stone, pair.other_pose, pair.first.stone, pair.pose);
   if (at.certified && swapped.certified) {
-    see(std::fabs(swapped.gap - gap), "the gap, stones swapped");
+    see(std::fabs(swapped.gap - gap) / thin, "swapped");
   }
-  // A thin stone's support point turns about its sphere's centre.
-  const double scale = std::max(2.0 * reach_of(pair), (pair.pose.p_WB - pair.other_pose.p_WB).norm());
-  const double radii = pair.first.stone.sphere_radius + pair.second.stone.sphere_radius;
-  see(std::fabs(outside_stone(witness.one.hull, pair.pose, at.p_stone)), "p_stone is not on the stone");
-  see(std::fabs(outside_stone(witness.two.hull, pair.other_pose, at.p_other)), "p_other is not on the other");
+  see(std::fabs(outside_stone(witness.one.hull, pair.pose, context.produced(at.p_stone))) / thin, "points");
+  see(std::fabs(outside_stone(witness.two.hull, pair.other_pose, context.produced(at.p_other))) / thin, "points");
   Pair pushed = pair;
-  pushed.pose.p_WB -= at.gap * at.n_W;
+  pushed.pose.p_WB -= gap * at.n_W;
   if (at.certified) {
-    // Of cores that overlap, a climb ends where the gap is right; how well the normal is, CONTACT-7 says.
-    const Vec3<double> between = at.p_stone - at.p_other;
-    const double off = cores_overlap ? std::fabs(at.n_W.dot(between) - gap) : (between - gap * at.n_W).norm();
-    see(off / (1.0 + radii / scale), "p_stone − p_other = gap n");
-    see(std::fabs(context.produced(separation(pushed).gap)), "the gap after the push-out");
+    // Along the normal: a climb ends where the gap is right; how well the normal is, CONTACT-7 says.
+    const double off = std::fabs(at.n_W.dot(at.p_stone - at.p_other) - gap);
+    see(off / thin, "between the points");
+    see(std::fabs(separation(pushed).gap), "push-out");
   }
 }
 
 /// `cores_overlap`: of which pairs.
 Measurement measure_pairs(Context& context, bool cores_overlap, int count) {
-  Worst worst;
+  Checks checks;
   std::array<int, pair_strata.size()> drawn{};
   int seen = 0, uncertified = 0, short_of = 0;
   double worst_uncertified = 0.0;
@@ -75,26 +73,26 @@ Measurement measure_pairs(Context& context, bool cores_overlap, int count) {
     const Witness witness(pair);
     const double scale = std::max(2.0 * reach_of(pair), (pair.pose.p_WB - pair.other_pose.p_WB).norm());
     const auto see = [&](double error, const char* name) {
-      worst.see(error / scale, [&] {
-        return fmt::format("{} ({}{}): {}, gap {:.6g}", name,
-                           pair_strata[static_cast<std::size_t>(i % pair_strata_count)],
+      checks[name].see(error, scale, [&] {
+        return fmt::format("{}{}: {}, gap {:.6g}", pair_strata[static_cast<std::size_t>(i % pair_strata_count)],
                            at.certified ? "" : ", not certified", describe(pair), at.gap);
       });
     };
-    see(at.certified || (cores_overlap && at.gap < 0.0) ? 0.0 : scale, "no certificate");
-    see_consistent(context, pair, witness, at, cores_overlap, see);
+    see(at.certified || (cores_overlap && at.gap < 0.0) ? 0.0 : scale, "faults");
+    see_consistent(context, pair, witness, at, see);
     const Best best = search_pair(witness.one, witness.two, 20);
     const double better = static_cast<double>(best.value - static_cast<long double>(context.produced(at.gap)));
     if (at.certified) {
-      see(better, "a better normal was found");
+      const double radii = pair.first.stone.sphere_radius + pair.second.stone.sphere_radius;
+      see(better / (1.0 + radii / scale), "better normal");
     } else {
       worst_uncertified = std::max(worst_uncertified, better / scale);
     }
     short_of += !(-better <= 1e-9 * scale);
   }
-  see_search(worst, short_of, seen);
-  worst.see(20 * uncertified <= seen ? 0.0 : 1.0, [] { return "more than one in twenty without a certificate"; });
-  Measurement result = worst.measurement();
+  see_search(checks["faults"], short_of, seen);
+  checks["faults"].see(20 * uncertified <= seen ? 0.0 : 1.0, [] { return "more than one in twenty uncertified"; });
+  Measurement result = checks.measurement();
   std::string strata;
   for (std::size_t k = 0; k < drawn.size(); ++k) {
     strata += fmt::format("{}{} {}", k == 0 ? "" : ", ", pair_strata[k], drawn[k]);
@@ -118,10 +116,38 @@ std::vector<Claim> contact_pair_claims() {
        .function = "separation (stones)",
        .family = OracleFamily::brute_force,
        .oracle = "a search over the sphere of normals, its best valued in long double; primal against dual",
-       .checks = {{.unit = "of the widths or the distance",
-                   .bound = 1e-12,
-                   .reason = "the bar; thin stones add the roundings of their spheres, 250 widths in radius",
-                   .resolution = epsilon}},
+       .checks = {{.name = "gap",
+                   .unit = "of the widths or the distance",
+                   .bound = 2e-15,
+                   .reason = "roundings of the widths; measured 2026-11-30 with 14 seeds: up to 4.8e-16",
+                   .resolution = epsilon},
+                  {.name = "better normal",
+                   .unit = "of the widths or the distance and the spheres' radii",
+                   .bound = 2e-15,
+                   .reason = "a normal is known as well as the centre of a thin stone's sphere, up to 250 widths away; "
+                             "measured 2026-11-30 with 10 seeds: up to 4.2e-16",
+                   .resolution = epsilon},
+                  {.name = "swapped",
+                   .unit = "of the widths or the distance and the spheres' radii",
+                   .bound = 2e-15,
+                   .reason = "the same; measured 2026-11-30 with 10 seeds: up to 2.4e-16",
+                   .resolution = epsilon},
+                  {.name = "points",
+                   .unit = "of the widths or the distance and the spheres' radii",
+                   .bound = 5e-15,
+                   .reason = "the same; measured 2026-11-30 with 10 seeds: up to 1.1e-15",
+                   .resolution = epsilon},
+                  {.name = "between the points",
+                   .unit = "of the widths or the distance and the spheres' radii",
+                   .bound = 5e-15,
+                   .reason = "the same, along the normal; measured 2026-11-30 with 5 seeds: up to 1.0e-15",
+                   .resolution = epsilon},
+                  {.name = "push-out",
+                   .unit = "of the widths or the distance",
+                   .bound = 3e-15,
+                   .reason = "two gaps, and the place between them; measured 2026-11-30 with 14 seeds: up to 6.7e-16",
+                   .resolution = epsilon},
+                  no_faults()},
        .mutants = {{"contact/pair_closed.hpp", "meets_with_cap(pair.second, sign2, caps, caps2)", "true"},
                    {"contact/pair_closed.hpp", "meets_with_rim(pair.second, rim2, rim2_2)", "true"},
                    {"contact/stone_stone.hpp", "result.gap = formula::dot(pair.between, n) -",
@@ -138,10 +164,38 @@ std::vector<Claim> contact_pair_claims() {
        .function = "separation (stones)",
        .family = OracleFamily::brute_force,
        .oracle = "a search over the sphere of normals, its best valued in long double",
-       .checks = {{.unit = "of the widths",
-                   .bound = 1e-12,
-                   .reason = "the bar; thin stones add the roundings of their spheres, 250 widths in radius",
-                   .resolution = epsilon}},
+       .checks = {{.name = "gap",
+                   .unit = "of the widths",
+                   .bound = 1e-15,
+                   .reason = "roundings of the widths; measured 2026-11-30 with 14 seeds: up to 1.9e-16",
+                   .resolution = epsilon},
+                  {.name = "better normal",
+                   .unit = "of the widths and the spheres' radii",
+                   .bound = 2e-15,
+                   .reason = "a normal is known as well as the centre of a thin stone's sphere, up to 250 widths away; "
+                             "measured 2026-11-30 with 10 seeds: up to 2.9e-16",
+                   .resolution = epsilon},
+                  {.name = "swapped",
+                   .unit = "of the widths and the spheres' radii",
+                   .bound = 2e-15,
+                   .reason = "the same; measured 2026-11-30 with 10 seeds: up to 3.0e-16",
+                   .resolution = epsilon},
+                  {.name = "points",
+                   .unit = "of the widths and the spheres' radii",
+                   .bound = 5e-15,
+                   .reason = "the same; measured 2026-11-30 with 10 seeds: up to 1.0e-15",
+                   .resolution = epsilon},
+                  {.name = "between the points",
+                   .unit = "of the widths and the spheres' radii",
+                   .bound = 5e-15,
+                   .reason = "the same, along the normal; measured 2026-11-30 with 14 seeds: up to 1.1e-15",
+                   .resolution = epsilon},
+                  {.name = "push-out",
+                   .unit = "of the widths",
+                   .bound = 2e-15,
+                   .reason = "two gaps, and the place between them; measured 2026-11-30 with 14 seeds: up to 3.2e-16",
+                   .resolution = epsilon},
+                  no_faults()},
        .mutants = {{"contact/stone_stone.hpp", "try_caps(pair, best);", ""},
                    {"contact/pair_closed.hpp", "try_normal(from_rim(from_first, pair.second));", ""},
                    {"contact/pair_closed.hpp", "for (const T& sign : {T(1), T(-1)}) {",

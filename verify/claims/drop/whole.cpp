@@ -16,6 +16,8 @@ namespace goishi::verify {
 
 namespace {
 
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
 /// A flight and the impact at its end, in long double, by the definitions: a parabola; L constant, the axis turned about
 /// it by |L| t/I_t; the impulse's change of both momenta; v_n⁺ = −e v_n and the cone.
 void see_flight(const Context& context, const Subject& subject, const Event<double>& from, const Event<double>& to,
@@ -35,26 +37,26 @@ void see_flight(const Context& context, const Subject& subject, const Event<doub
   };
   const Long R = static_cast<Long>(outer_width(subject.specimen.stone)) / 2;
   const Long3 there = static_cast<Long>(context.produced(1.0)) * to.before.p_WB.cast<Long>();
-  see((there - p).norm() / R, "flight: place");
-  see((to.before.q_WB.cast<Long>() * Long3(0, 0, 1) - turned).norm(), "flight: axis");
-  see((to.before.L_W - from.after.L_W).cast<Long>().norm() /
+  see((there - p).norm() / R, "place");
+  see((context.produced(Long3(to.before.q_WB.cast<Long>() * Long3(0, 0, 1))) - turned).norm(), "axis");
+  see((context.produced(to.before.L_W) - from.after.L_W).cast<Long>().norm() /
           (static_cast<Long>(subject.body.mass) * size + std::numeric_limits<Long>::min()),
-      "flight: angular momentum");
+      "angular momentum");
 }
 
-void see_impact(const Subject& subject, const Event<double>& event, Worst& worst) {
+void see_impact(const Context& context, const Subject& subject, const Event<double>& event, Worst& worst) {
   const auto see = [&](Long error, const char* what) {
     worst.see(as_double(error), [&] {
       return fmt::format("{}: {}, at {} s, {}", what, describe(subject.specimen), event.time, to_string(event.kind));
     });
   };
   const Long m = subject.body.mass;
-  const Long3 j = event.impulse_W.cast<Long>(), n = event.normal_W.cast<Long>();
+  const Long3 j = context.produced(event.impulse_W).cast<Long>(), n = event.normal_W.cast<Long>();
   const Long3 r = event.contact_W.cast<Long>() - event.after.p_WB.cast<Long>();
   const Long speed = event.before.v_WB.cast<Long>().norm() + 1e-3L;
-  see((event.after.v_WB.cast<Long>() - event.before.v_WB.cast<Long>() - j / m).norm() / speed, "impact: momentum");
+  see((event.after.v_WB.cast<Long>() - event.before.v_WB.cast<Long>() - j / m).norm() / speed, "momentum");
   see((event.after.L_W.cast<Long>() - event.before.L_W.cast<Long>() - r.cross(j)).norm() / (m * r.norm() * speed),
-      "impact: angular momentum");
+      "angular momentum");
   const auto velocity = [&](const State<double>& state) {
     const Long3 u = state.q_WB.cast<Long>() * Long3(0, 0, 1), L = state.L_W.cast<Long>() / m;
     const Long along = L.dot(u);
@@ -63,40 +65,43 @@ void see_impact(const Subject& subject, const Event<double>& event, Worst& worst
   };
   const Long3 before = velocity(event.before), after = velocity(event.after);
   const Long e = event.kind == EventKind::contact ? 0.0L : static_cast<Long>(subject.settings.restitution);
-  see(std::fabs(after.dot(n) + e * before.dot(n)) / speed, "impact: restitution");
+  see(std::fabs(after.dot(n) + e * before.dot(n)) / speed, "restitution");
   const Long normal = j.dot(n);
   const Long outside = (j - normal * n).norm() - static_cast<Long>(subject.settings.friction) * normal;
-  see(std::max<Long>(0, outside) / (m * speed), "impact: cone");
+  see(std::max<Long>(0, outside) / (m * speed), "cone");
 }
 
 Measurement measure_links(Context& context) {
-  Worst worst;
+  Checks checks;
   Located located;
   int flights = 0, impacts = 0;
   for (int i = 0; i < context.samples(4, 12); ++i) {
     Subject subject = draw_subject(context, 5 * i);  // dry
     subject.settings.restitution = context.uniform(0.1, 0.8);
-    const Drop<double> drop =
-        goishi::drop(subject.specimen.stone, subject.body, draw_fall(context, subject.body), subject.settings);
+    if (!(*subject.settings.rolling_resistance > 0.0)) {
+      subject.settings.horizon = 2.0;  // nothing takes the energy of what rolls
+    }
+    const State<double> start = draw_fall(context, subject.body);
+    const Drop<double> drop = goishi::drop(subject.specimen.stone, subject.body, start, subject.settings);
     for (std::size_t k = 0; k < drop.events.size(); ++k) {
       const Event<double>& event = drop.events[k];
       if (event.kind != EventKind::impact && event.kind != EventKind::contact) {
         continue;
       }
-      see_impact(subject, event, worst);
+      see_impact(context, subject, event, checks["impact"]);
       ++impacts;
       const EventKind before = drop.events[k - 1].kind;
       if (before == EventKind::start || before == EventKind::impact) {
-        see_flight(context, subject, drop.events[k - 1], event, worst);
+        see_flight(context, subject, drop.events[k - 1], event, checks["flight"]);
         ++flights;
       }
     }
-    see_status(subject, drop, worst);
-    see_stretches(context, subject, drop, worst, located);
+    see_status(subject, drop, checks);
+    see_stretches(context, subject, start, drop, checks, located);
   }
-  Measurement result = worst.measurement();
+  Measurement result = checks.measurement();
   result.figures = {{"flights, impacts", fmt::format("{}, {}", flights, impacts)},
-                    {"contact phases", describe(located)}};
+                    {"stretches in contact, of those that are asked for", describe(located)}};
   return result;
 }
 
@@ -125,7 +130,7 @@ Measurement measure_tolerance(Context& context) {
   const std::array<double, 4> tolerances = {1e-5, 1e-6, 1e-7, 1e-9};
   std::array<std::vector<double>, 4> off;
   std::vector<double> magnified, bounced;
-  Worst worst;
+  Checks checks;
   for (int i = 0; i < context.samples(40, 80); ++i) {
     const State<double> start = draw_fall(context, pebble.body);
     const Drop<double> best = dropped(pebble, start, 1e-11);
@@ -139,9 +144,9 @@ Measurement measure_tolerance(Context& context) {
     moved.L_W *= 1.0 + 1e-9;
     magnified.push_back((dropped(pebble, moved, 1e-11).state.p_WB - best.state.p_WB).norm() / 1e-9 / 0.05);
   }
-  const double typical = quantile(off[3], 0.9);
-  worst.see(typical, [&] { return std::string("nine in ten drops at 1e-9"); });
-  Measurement result = worst.measurement();
+  checks["nine in ten"].see(quantile(off[3], 0.9), [] { return "drops at 1e-9"; });
+  checks["worst"].see(quantile(off[3], 1.0), [] { return "drops at 1e-9"; });
+  Measurement result = checks.measurement();
   Series median{"median", {}}, most{"nine in ten", {}};
   for (std::size_t k = 0; k < tolerances.size(); ++k) {
     median.points.emplace_back(tolerances[k], quantile(off[k], 0.5));
@@ -206,25 +211,61 @@ Measurement measure_stress(Context& context) {
 std::vector<Claim> drop_whole_claims() {
   return {
       {.id = "DROP-18",
-       .statement = "Every link of a drop from 5 cm to rest is right: each flight, each impact, each contact phase",
+       .statement =
+           "The links of a drop from 5 cm are right: each flight, each impact, and in contact the first twelve "
+           "stretches from event to event and the last three, till a hundredth of the last is left before the "
+           "stone rests. Left out: stretches under 0.1 ms, and where the witness gives up in micro-slip.",
        .function = "drop",
        .family = OracleFamily::integration,
-       .oracle =
-           "parabola and Rodrigues' rotation, impulse and momentum, Lagrange's equations by Odeint; in long double",
-       .checks = {{.unit = "of half the width, rad, of speed and momentum",
-                   .bound = 4e-10,
-                   .reason = "tolerance 1e-12 of the contact phase, magnified by what follows in it",
-                   .resolution = 5e-12}},
+       .oracle = "parabola and Rodrigues' rotation, impulse and momentum, Lagrange's equations by Odeint, near the "
+                 "vertical in angles about x; in long double",
+       .checks = {{.name = "flight",
+                   .unit = "of half the width, rad, of the momentum",
+                   .bound = 2e-14,
+                   .reason = "the parabola, the turn and where its time is rounded; measured 2026-11-30 with 12 seeds: "
+                             "up to 4.0e-15",
+                   .resolution = epsilon},
+                  {.name = "impact",
+                   .unit = "of speed and momentum",
+                   .bound = 4e-14,
+                   .reason =
+                       "IMPACT-1, and the round-off of the lever; measured 2026-11-30 with 12 seeds: up to 2.3e-15",
+                   .resolution = epsilon},
+                  {.name = "place",
+                   .unit = "of half the width",
+                   .bound = 6e-11,
+                   .reason = "tolerance 1e-12 of the contact phase, magnified by what follows in it; measured "
+                             "2026-11-30 with 12 seeds: up to 1.7e-11"},
+                  {.name = "attitude",
+                   .unit = "rad",
+                   .bound = 1e-10,
+                   .reason = "the same; measured 2026-11-30 with 12 seeds: up to 2.1e-11"},
+                  {.name = "momentum",
+                   .unit = "relative",
+                   .bound = 6e-11,
+                   .reason = "the same; measured 2026-11-30 with 12 seeds: up to 1.1e-11"},
+                  no_faults()},
        .mutants = {{"drop/flight_phase.hpp", "push(contact, material_.restitution, EventKind::impact)",
                     "push(contact, T(0), EventKind::impact)"},
                    {"drop/contact_motion.hpp", "T(-(over / (radial * radial)))", "T(over / (radial * radial))"}},
        .measure = measure_links},
       {.id = "DROP-19",
-       .statement = "Nine in ten drops of size 33 from 5 cm come to rest within 1e-7 m of a run at tolerance 1e-11",
+       .statement =
+           "At tolerance 1e-9, nine in ten drops of size 33 from 5 cm come to rest within 5e-8 m of a run at 1e-11, "
+           "and all within 5e-7 m",
        .function = "drop",
        .family = OracleFamily::relation,
        .oracle = "the same drop at tolerance 1e-11",
-       .checks = {{.unit = "m", .bound = 1e-7, .reason = "the bar, which asks it of the median", .resolution = 2e-9}},
+       .checks = {{.name = "nine in ten",
+                   .unit = "m",
+                   .bound = 5e-8,
+                   .reason = "the 90 % quantile, of a bar of 1e-7 for the median; measured 2026-11-30 with 22 seeds: "
+                             "up to 8.3e-09"},
+                  {.name = "worst",
+                   .unit = "m",
+                   .bound = 5e-7,
+                   .reason = "bounces and onsets of slip magnify some drops a hundredfold; measured 2026-11-30 with 22 "
+                             "seeds: up to 6.5e-08"}},
        .mutants = {{"drop/integrator.hpp", "const T small = at_least(T(1e-12),", "const T small = at_least(T(1e-4),"}},
        .measure = measure_tolerance},
       {.id = "DROP-20",

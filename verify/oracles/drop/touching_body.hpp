@@ -31,6 +31,14 @@ struct TouchingBody {
 /// x, y, θ, φ, ψ, ẋ, ẏ, θ̇, p_φ, p_ψ.
 using TouchingState = std::array<long double, 10>;
 
+/// The same by vectors, which no angle is in the way of: place, axis, a point of the equator, the centre's velocity along
+/// the plane, angular momentum per mass.
+struct TouchingPose {
+  std::array<long double, 3> p, u, e;
+  std::array<long double, 2> v;
+  std::array<long double, 3> L;
+};
+
 struct TouchingEvent {
   long double time;
   std::string kind;  // "feature", "slip", "stick"
@@ -38,13 +46,15 @@ struct TouchingEvent {
 
 struct TouchingPath {
   TouchingState end;
+  TouchingPose pose;  // the same
   std::vector<TouchingEvent> events;
   bool gave_up = false;  // micro-slip, stiff for the explicit pair; or no direction found to slip in
   bool lifted = false;   // the plane would have to pull: the path ends there
   long double time = 0;
 };
 
-/// From a start that slips or not, for `duration`.
+/// From a start that slips or not, for `duration`. In angles about z, or where the axis is near the vertical about x.
+[[nodiscard]] TouchingPath follow(const TouchingBody& body, const TouchingPose& start, long double duration);
 [[nodiscard]] TouchingPath follow(const TouchingBody& body, const TouchingState& start, long double duration);
 
 /// Velocity of the contact point   [m/s].
