@@ -180,7 +180,7 @@ template <Ordered T>
 ///         core points is the separation of the cores (primal = dual). Cores that overlap: every stationary normal was
 ///         looked at; not certified where that takes too many steps (rims that all but touch along their tangents), and the
 ///         gap is then a lower bound.
-/// Error   gap within 1e-12 of the width (claim CONTACT-4).
+/// Error   gap within 2e-15 of the widths, the distance and the spheres' radii (claim CONTACT-4).
 template <Ordered T>
 [[nodiscard]] Separation<T> separation(const Stone<T>& stone, const Pose<T>& pose, const Stone<T>& other,
                                        const Pose<T>& other_pose) {
