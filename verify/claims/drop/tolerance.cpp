@@ -126,10 +126,10 @@ Measurement measure_float(Context& context) {
     checks["first impact"].see(difference(fall, after, met.state), epsilon_in<float> * (10.0 + turned),
                                [&] { return fmt::format("fall {}", i); });
     const Long m = start.pebble.body.mass;
-    const double speed = (met_in_float.state.v_WB.cast<double>() - met.state.v_WB).norm() +
-                         (met_in_float.state.L_W.cast<double>() - met.state.L_W).norm() / (as_double(m) * 0.011);
-    checks["after it"].see(context.produced(1.0) * speed, epsilon_in<float> * (10.0 + turned),
-                           [&] { return fmt::format("fall {}", i); });
+    const double speed =
+        (context.produced(Vec3<double>(met_in_float.state.v_WB.cast<double>())) - met.state.v_WB).norm() +
+        (met_in_float.state.L_W.cast<double>() - met.state.L_W).norm() / (as_double(m) * 0.011);
+    checks["after it"].see(speed, epsilon_in<float> * (10.0 + turned), [&] { return fmt::format("fall {}", i); });
   }
   return checks.measurement();
 }
