@@ -204,7 +204,8 @@ int verify_seeds(const std::vector<Claim>& claims, const Options& options, Tier 
   const auto [first, last] = range_of(options.seeds);
   std::map<std::string, std::vector<std::uint64_t>> failed;
   bool hangs = false;
-  for (std::uint64_t seed = first; seed <= last && !hangs; ++seed) {
+  std::uint64_t run_of_them = 0;
+  for (std::uint64_t seed = first; seed <= last && !hangs; ++seed, ++run_of_them) {
     const Run run = run_claims(claims, make_stamp(seed, tier), options.threads, [](const Result&, std::size_t) {});
     for (const Result& result : run.results) {
       if (!result.verdict.holds) {
@@ -218,9 +219,9 @@ int verify_seeds(const std::vector<Claim>& claims, const Options& options, Tier 
   std::size_t failures = 0;
   for (const auto& [id, seeds] : failed) {
     failures += seeds.size();
-    fmt::print("{:13} fails with {} of {} seeds: {}\n", id, seeds.size(), last - first + 1, fmt::join(seeds, ", "));
+    fmt::print("{:13} fails with {} of {} seeds: {}\n", id, seeds.size(), run_of_them, fmt::join(seeds, ", "));
   }
-  fmt::print("{} failures of {} claims with {} seeds, tier {}\n", failures, claims.size(), last - first + 1,
+  fmt::print("{} failures of {} claims with {} seeds, tier {}\n", failures, claims.size(), run_of_them,
              to_string(tier));
   std::fflush(stdout);
   if (hangs) {

@@ -157,7 +157,7 @@ std::vector<Claim> time_of_impact_odeint_claims() {
                    .resolution = epsilon},
                   {.name = "of two stones",
                    .unit = "of width, distance and the angle turned times the width",
-                   .bound = 128.0 * epsilon,
+                   .bound = 96.0 * epsilon,
                    .reason = "the search ends when the separation is within 256 ε of the two widths, half of the unit; "
                              "measured 2026-11-30 with 24 seeds: up to 1.1e-14",
                    .resolution = epsilon},
