@@ -77,6 +77,14 @@ Claim claim_of_two() {
   return claim;
 }
 
+TEST(Verdict, WhatIsExactIsTheWeakestOnlyWhereAllIs) {
+  const Measured none{.error = 0.0, .cases = 1}, some{.error = 2.0, .cases = 1};
+  const Judgement exact{.holds = true, .slack = 1.0}, usual{.holds = true, .slack = 4.0}, fails{.slack = 9.0};
+  EXPECT_EQ((Verdict{.measured = {none, some}, .judgements = {exact, usual}}.weakest()), 1U);
+  EXPECT_EQ((Verdict{.measured = {none, none}, .judgements = {exact, exact}}.weakest()), 0U);
+  EXPECT_EQ((Verdict{.measured = {some, some}, .judgements = {usual, fails}}.weakest()), 1U);
+}
+
 TEST(Judge, EachCheckByItself) {
   const auto found = [](double place, double time) {
     return Measurement{

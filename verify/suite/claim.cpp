@@ -105,10 +105,18 @@ Verdict judge(const Claim& claim, const Measurement& measurement) {
 }
 
 std::size_t Verdict::weakest() const {
-  const auto weaker = [](const Judgement& a, const Judgement& b) {
-    return a.holds != b.holds ? !a.holds : a.slack < b.slack;
+  // What fails; then what has an error, by its slack; what is exact, and holds, at the end.
+  const auto rank = [this](std::size_t i) {
+    const bool exact = measured[i].error == 0.0 && judgements[i].slack == 1.0;
+    return std::pair(!judgements[i].holds ? 0 : exact ? 2 : 1, judgements[i].slack);
   };
-  return static_cast<std::size_t>(std::ranges::min_element(judgements, weaker) - judgements.begin());
+  std::size_t weakest = 0;
+  for (std::size_t i = 1; i < judgements.size(); ++i) {
+    if (rank(i) < rank(weakest)) {
+      weakest = i;
+    }
+  }
+  return weakest;
 }
 
 }  // namespace goishi::verify
