@@ -100,13 +100,10 @@ void raise(const Pair<T>& pair, const Vec3<T>& n, PairPoint<T>& best) {
 }
 
 /// Newton's step (H₁ + H₂ + g) δ = w across n: H = R on a cap; on the rim r₁/n_r along t = n × u/n_r, and none across it.
-/// Eigenvalues that are not positive are turned over, so that it climbs from a saddle too; no longer than 1. Where the cores
-/// all but touch, g >= 0 is taken as a part of the slope at least: at a point on a sharp rim nothing else would bend across
-/// the rim, and round-off over g would be the step.
+/// Eigenvalues that are not positive are turned over, so that it climbs from a saddle too; no longer than 1.
 template <Ordered T>
 [[nodiscard]] Vec3<T> newton_step(const Pair<T>& pair, const PairPoint<T>& at) {
-  const T least_bend = at.slope / T(16);
-  T all = T(0) <= at.g && at.g < least_bend ? least_bend : at.g;  // what acts in every direction
+  T all = at.g;  // what acts in every direction
   const PairSide<T>* rims[2] = {};
   const Placed<T>* stones[2] = {};
   int count = 0;

@@ -58,13 +58,12 @@ template <Ordered T>
 
 // & and not && below: each condition is as good as random, and a branch for each would be guessed wrong.
 
-/// Whether a stone meets a normal v/|v| with the cap that looks along `sign` u. A core that is a point is both caps and rim.
+/// Whether a stone meets a normal v/|v| with the cap that looks along `sign` u.
 template <Ordered T>
 [[nodiscard]] bool meets_with_cap(const Placed<T>& placed, const T& sign, const Vec3<T>& v, const T& size2) {
   const T axial = sign * formula::dot(placed.u_W, v);
   const bool above = T(0) <= axial, steep = scalar::sq(placed.stone.joint_sine) * size2 <= scalar::sq(axial);
-  const bool point = !(T(0) < placed.stone.core_sphere_radius);
-  return (above & steep) | point;
+  return above & steep;
 }
 
 template <Ordered T>

@@ -72,7 +72,8 @@ class RimSearch {
         best_(best),
         c1_(pair.first.stone.bevel_major_radius),
         c2_(pair.second.stone.bevel_major_radius),
-        swing_(c1_ * scalar::sqrt(formula::dot(pair.between, pair.between))) {
+        swing_(c1_ * scalar::sqrt(formula::dot(pair.between, pair.between))),
+        by_square_(T(1) / scalar::sq(c1_)) {
     const Vec3<T>&u = pair.first.u_W, &z = pair.second.u_W;
     e_ = across(u);
     f_ = formula::cross(u, e_);
@@ -153,9 +154,10 @@ class RimSearch {
     }
     const T least_rho = (low.rho + high.rho - reach) / T(2);
     if (T(0) < least_rho) {
+      // By c₁²: next to the axis the ratio is large, and its square would leave the range of T with those of lengths.
       const T ratio = c1_ / least_rho;
-      const T change = (swing_ + c2_ * c1_ * (T(1) + ratio * (T(5) + T(3) * ratio))) * length;
-      const T bends = low.bend + high.bend, slopes = low.slope + high.slope;
+      const T change = (swing_ * by_square_ + c2_ / c1_ * (T(1) + ratio * (T(5) + T(3) * ratio))) * length;
+      const T bends = (low.bend + high.bend) * by_square_, slopes = (low.slope + high.slope) * by_square_;
       if (bends < -change) {
         return;  // no minimum where it bends down
       }
@@ -222,7 +224,8 @@ class RimSearch {
   const Pair<T>& pair_;
   PairPoint<T>& best_;
   T c1_, c2_;
-  T swing_;  // c₁ |D|
+  T swing_;      // c₁ |D|
+  T by_square_;  // 1/c₁²
   Vec3<T> e_, f_;
   Vec3<T> centre_, cosine_, sine_;  // the first circle D + a c₁ e + b c₁ f, by the second stone's axes
   T deepest_;
