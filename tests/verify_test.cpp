@@ -77,12 +77,18 @@ Claim claim_of_two() {
   return claim;
 }
 
-TEST(Verdict, WhatIsExactIsTheWeakestOnlyWhereAllIs) {
-  const Measured none{.error = 0.0, .cases = 1}, some{.error = 2.0, .cases = 1};
-  const Judgement exact{.holds = true, .slack = 1.0}, usual{.holds = true, .slack = 4.0}, fails{.slack = 9.0};
-  EXPECT_EQ((Verdict{.measured = {none, some}, .judgements = {exact, usual}}.weakest()), 1U);
-  EXPECT_EQ((Verdict{.measured = {none, none}, .judgements = {exact, exact}}.weakest()), 0U);
-  EXPECT_EQ((Verdict{.measured = {some, some}, .judgements = {usual, fails}}.weakest()), 1U);
+TEST(Verdict, TheWeakestIsNearestToItsBound) {
+  const auto of = [](double first, double second) {
+    Verdict verdict;
+    verdict.judgements = {
+        judge(Check{.unit = "faults", .bound = 0.0, .reason = ""}, {.error = first, .cases = 1}),
+        judge(Check{.unit = "m", .bound = 8.0, .reason = "", .resolution = 8.0}, {.error = second, .cases = 1})};
+    return verdict.weakest();
+  };
+  EXPECT_EQ(of(0.0, 2.0), 1U);  // not what is exact; though by its resolution the slack is 1
+  EXPECT_EQ(of(0.0, 0.0), 0U);
+  EXPECT_EQ(of(1.0, 8.0), 0U);  // what fails
+  EXPECT_EQ(of(0.0, 9.0), 1U);
 }
 
 TEST(Judge, EachCheckByItself) {

@@ -1,4 +1,5 @@
-# Headers that nearly every file of ours parses, parsed once for each set of flags.
+# Headers that nearly every file of ours parses, parsed once for each set of flags. Not CLI11: what it defines at namespace
+# scope is compiled into every file that sees it, 5 s of each.
 
 set(GOISHI_PRECOMPILED
   <algorithm> <array> <chrono> <cmath> <cstdint> <functional> <limits> <memory> <numbers> <optional> <random> <string>

@@ -1,22 +1,14 @@
 #pragma once
 /// \file
-/// What the claims' files share: short names of scalars, and checks that count.
+/// Checks, made in a line.
 
-#include <goishi/rotation.hpp>
-#include <limits>
 #include <string>
 #include <utility>
 
 #include "verify/suite/claim.hpp"
+#include "verify/suite/scalars.hpp"
 
 namespace goishi::verify {
-
-using Long = long double;
-using Long3 = Vec3<Long>;
-
-template <class T>
-inline constexpr double epsilon_of = static_cast<double>(std::numeric_limits<T>::epsilon());
-inline constexpr double epsilon = epsilon_of<double>;
 
 /// A check of values: its errors are within `bound`, and why. `resolution` as in `Check`.
 [[nodiscard]] inline Check within(std::string name, double bound, std::string unit, std::string reason,

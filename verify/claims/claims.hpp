@@ -48,6 +48,7 @@ namespace goishi::verify {
 [[nodiscard]] std::vector<Claim> published_contact_claims();      // PUBLISHED: the talk's test, push-out and support
 [[nodiscard]] std::vector<Claim> impact_claims();                 // IMPACT: restitution, momentum, energy, friction
 [[nodiscard]] std::vector<Claim> impact_process_claims();    // IMPACT: Stronge's law, and the default law beside it
+[[nodiscard]] std::vector<Claim> impact_stick_claims();      // IMPACT: Stronge's law where the slip stops
 [[nodiscard]] std::vector<Claim> published_impact_claims();  // PUBLISHED: the talk's impacts
 [[nodiscard]] std::vector<Claim> published_drop_claims();    // PUBLISHED: the talk's loop on whole drops
 [[nodiscard]] std::vector<Claim> drop_odeint_claims();       // DROP: contact phases against Lagrange's equations

@@ -79,13 +79,16 @@ std::string how_to_read(const Run& run, const std::string& derivations) {
                                        "\n<p>The claims measure. That the formulas are right for all values is proved: "
                                        "<a href=\"{}\">the derivations</a>.</p>",
                                        xml(derivations));
-  const auto rounding = std::ranges::count_if(
-      run.results, [](const Result& result) { return result.claim->family == OracleFamily::rounding; });
+  const auto of_family = [&run](OracleFamily family) {
+    return std::ranges::count_if(run.results,
+                                 [family](const Result& result) { return result.claim->family == family; });
+  };
   return fmt::format(
       "<section class=\"how\">\n<h2>How to read this</h2>\n"
-      "<p>Each claim is a sentence about the library, judged by an oracle: a witness that shares no formula with the "
-      "code. Of {2} of the {3} claims the witness is the same formula in more digits: they judge its rounding and its "
-      "range, others that it is right. <b>Error</b> is the worst difference that was found. <b>Bound</b> is the "
+      "<p>Each claim is a sentence about the library, judged by an oracle: a witness. Of {2} of the {3} claims the "
+      "witness is the same formula in more digits: they judge its rounding and its range, others that it is right. Of "
+      "{4} it is the same function in another world. The others share no formula with what they judge. <b>Error</b> is "
+      "the worst difference that was found. <b>Bound</b> is the "
       "greatest error with which a check still holds, and each bound has a reason. <b>Slack</b> is bound over error, "
       "and an error below the resolution of the quantity counts as that resolution: at 1 the error reaches the bound, "
       "and over {0} the bound guards nothing, so that the check fails. An error that is not a number fails. In the "
@@ -93,7 +96,8 @@ std::string how_to_read(const Run& run, const std::string& derivations) {
       "unless it says that it counts. A claim of several checks holds if each does, and is shown by its weakest, the "
       "one whose error comes nearest to its bound. The bar shows the slack from 1 to {0} on a logarithmic scale. Each "
       "id leads to the details.</p>{1}\n</section>\n",
-      plain_number(greatest_slack), proofs, rounding, run.results.size());
+      plain_number(greatest_slack), proofs, of_family(OracleFamily::rounding), run.results.size(),
+      of_family(OracleFamily::relation));
 }
 
 namespace {

@@ -7,6 +7,8 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <functional>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -84,10 +86,10 @@ struct Candidate {
 
   [[nodiscard]] const Claim& claim() const { return *result->claim; }
   [[nodiscard]] Checked checked() const { return result->checked(check); }
-  /// The least is the weakest; one that fails is weaker than all that hold.
-  [[nodiscard]] double slack() const {
+  /// The greatest is the weakest; one that fails is weaker than all that hold.
+  [[nodiscard]] double part() const {
     const Judgement& judgement = checked().judgement;
-    return judgement.holds ? judgement.slack : 0.0;
+    return judgement.holds ? judgement.part : std::numeric_limits<double>::infinity();
   }
 };
 
@@ -103,9 +105,9 @@ std::vector<Candidate> weakest(const std::vector<const Result*>& results) {
   if (!std::ranges::all_of(found, is_exact)) {
     std::erase_if(found, is_exact);
   }
-  std::ranges::stable_sort(found, {}, &Candidate::slack);
-  std::erase_if(found, [&, least = found.empty() ? 0.0 : found.front().slack()](const Candidate& candidate) {
-    return least * greatest_change * greatest_change < candidate.slack();
+  std::ranges::stable_sort(found, std::greater<>(), &Candidate::part);
+  std::erase_if(found, [&, most = found.empty() ? 0.0 : found.front().part()](const Candidate& candidate) {
+    return candidate.part() * greatest_change * greatest_change < most;
   });
   return found;
 }
@@ -120,12 +122,6 @@ Row row(const std::string& before, const Candidate& candidate) {
           .digits = digits,
           .after = fmt::format(" | {}{}{} |", plain_number(check.bound, std::max(3, digits)),
                                check.unit.empty() ? "" : " ", cell(check.unit))};
-}
-
-std::string folder_of(const Claim& claim) {
-  const std::size_t first = claim.source.find('/');
-  const std::size_t second = claim.source.find('/', first + 1);
-  return second == std::string::npos ? "other" : claim.source.substr(first + 1, second - first - 1);
 }
 
 /// "exact solution 3, relation 2", in the order of the families.
@@ -147,7 +143,7 @@ std::vector<Line> subject_lines(const Run& run) {
     folders.emplace_back(folder, std::vector<const Result*>());
   }
   for (const Result& result : run.results) {
-    const std::string folder = folder_of(*result.claim);
+    const std::string folder = result.claim->subject();
     auto found = std::ranges::find(folders, folder, &decltype(folders)::value_type::first);
     if (found == folders.end()) {
       found = folders.insert(folders.end(), {folder, {}});

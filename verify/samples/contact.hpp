@@ -7,7 +7,6 @@
 #include <string>
 
 #include "verify/oracles/contact/brute_contact.hpp"
-#include "verify/samples/faults.hpp"
 #include "verify/samples/stone.hpp"
 #include "verify/suite/claim.hpp"
 

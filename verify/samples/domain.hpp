@@ -12,14 +12,13 @@
 
 #include "verify/samples/stone.hpp"
 #include "verify/suite/claim.hpp"
+#include "verify/suite/scalars.hpp"
 
 namespace goishi::verify {
 
 /// Magnitudes are 10^−reach … 10^reach.
 template <class T>
 inline constexpr double size_reach = std::numeric_limits<T>::digits < 30 ? 18.0 : 150.0;
-template <class T>
-inline constexpr double epsilon_in = static_cast<double>(std::numeric_limits<T>::epsilon());
 
 inline constexpr std::array rounding_modes = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
 

@@ -16,13 +16,9 @@
 
 #include "verify/samples/pose.hpp"
 #include "verify/suite/claim.hpp"
+#include "verify/suite/scalars.hpp"
 
 namespace goishi::verify::domain {
-
-using Long = long double;
-
-template <class T>
-inline constexpr Long epsilon = static_cast<Long>(std::numeric_limits<T>::epsilon());
 
 /// The greatest magnitudes, as powers of two: 1e±150 and 1e±18.
 template <class T>

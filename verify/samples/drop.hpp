@@ -13,14 +13,11 @@
 #include "verify/oracles/drop/spin.hpp"
 #include "verify/oracles/stone/geometry.hpp"
 #include "verify/oracles/stone/profile.hpp"
-#include "verify/samples/faults.hpp"
 #include "verify/samples/stone.hpp"
 #include "verify/suite/claim.hpp"
+#include "verify/suite/scalars.hpp"
 
 namespace goishi::verify {
-
-using Long = long double;
-using Long3 = Vec3<Long>;
 
 inline constexpr double g_earth = 9.80665;
 inline constexpr double degree = std::numbers::pi / 180.0;

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "verify/samples/contact.hpp"
+#include "verify/suite/scalars.hpp"
 
 namespace goishi::verify {
 
@@ -83,8 +84,6 @@ struct Encounter {
 }
 
 // --- the witness
-
-using Long3 = Vec3<long double>;
 
 /// A body in long double, its tensor in W inverted in full.
 struct Witness {

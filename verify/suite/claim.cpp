@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace goishi::verify {
 
@@ -35,6 +36,10 @@ std::string_view to_string(OracleFamily family) {
   return "unknown";
 }
 
+std::string Claim::subject() const {
+  return std::filesystem::path(source).parent_path().filename().string();
+}
+
 std::string_view to_string(Tier tier) {
   return tier == Tier::quick ? "quick" : "full";
 }
@@ -62,6 +67,7 @@ Judgement judge(const Check& check, const Measured& measured) {
   // Each condition is the one that must hold, negated: a NaN fails.
   if (!(measured.error <= check.bound)) {
     return {.slack = check.bound / measured.error,
+            .part = measured.error / check.bound,
             .why = fmt::format("the error {:.9g} {} is not within the bound {:.9g}", measured.error, check.unit,
                                check.bound)};
   }
@@ -71,10 +77,11 @@ Judgement judge(const Check& check, const Measured& measured) {
   const double slack = check.bound / std::max(measured.error, check.resolution);
   if (!(slack <= greatest_slack)) {
     return {.slack = slack,
+            .part = measured.error / check.bound,
             .why = fmt::format("the bound {:.4g} {} is {:.3g} times what is measured and guards nothing", check.bound,
                                check.unit, slack)};
   }
-  return {.holds = true, .slack = slack};
+  return {.holds = true, .slack = slack, .part = measured.error / check.bound};
 }
 
 Verdict judge(const Claim& claim, const Measurement& measurement) {
@@ -105,18 +112,10 @@ Verdict judge(const Claim& claim, const Measurement& measurement) {
 }
 
 std::size_t Verdict::weakest() const {
-  // What fails; then what has an error, by its slack; what is exact, and holds, at the end.
-  const auto rank = [this](std::size_t i) {
-    const bool exact = measured[i].error == 0.0 && judgements[i].slack == 1.0;
-    return std::pair(!judgements[i].holds ? 0 : exact ? 2 : 1, judgements[i].slack);
+  const auto weaker = [](const Judgement& a, const Judgement& b) {
+    return a.holds != b.holds ? !a.holds : a.part > b.part;
   };
-  std::size_t weakest = 0;
-  for (std::size_t i = 1; i < judgements.size(); ++i) {
-    if (rank(i) < rank(weakest)) {
-      weakest = i;
-    }
-  }
-  return weakest;
+  return static_cast<std::size_t>(std::ranges::min_element(judgements, weaker) - judgements.begin());
 }
 
 }  // namespace goishi::verify

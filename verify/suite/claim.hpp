@@ -131,7 +131,10 @@ struct Claim {
   std::vector<Check> checks;
   std::vector<Mutant> mutants;
   std::function<Measurement(Context&)> measure;
-  std::string source = {};  // its file below verify/, set by `all_claims`
+  std::string source = {};  // its file below verify/, as "claims/mass/gsl.cpp", set by `all_claims`
+
+  /// The folder of its file: "mass".
+  [[nodiscard]] std::string subject() const;
 };
 
 /// A bound that is this many times what is measured guards nothing: the check fails.
@@ -141,6 +144,7 @@ inline constexpr double greatest_slack = 100.0;
 struct Judgement {
   bool holds = false;
   double slack = 0.0;    // bound / max(error, resolution); 1 for an exact check that holds
+  double part = 0.0;     // error / bound; 0 for an exact check that holds
   std::string why = {};  // why it does not hold; empty if it does
 };
 
@@ -155,7 +159,7 @@ struct Verdict {
   std::vector<Judgement> judgements = {};  // likewise
   std::vector<int> seen = {};              // likewise, in the full tier: 1e-k is the least relative error seen; 0: none
 
-  /// The check that does not hold, or else the one with the greatest error for its bound.
+  /// The check that does not hold, or else the one whose error comes nearest to its bound.
   [[nodiscard]] std::size_t weakest() const;
 };
 

@@ -94,14 +94,9 @@ void define(CLI::App& app, Options& options) {
       "Example: goishi-verify --tier full --filter 'GSL-*,MASS-*' --report build/report");
 }
 
-/// The folder of its file: "mass".
-std::string subject_of(const Claim& claim) {
-  return std::filesystem::path(claim.source).parent_path().filename().string();
-}
-
 void list(const std::vector<Claim>& claims) {
   for (const Claim& claim : claims) {
-    fmt::print("{:19} {:10} {}\n", claim.id, subject_of(claim), claim.statement);
+    fmt::print("{:19} {:10} {}\n", claim.id, claim.subject(), claim.statement);
   }
 }
 

@@ -14,9 +14,10 @@ namespace goishi {
 
 namespace detail {
 
+/// A drop that is to begin. The stone, the body and the board must outlive it.
 template <Ordered T>
-[[nodiscard]] Drop<T> dropped(const Stone<T>& stone, const RigidBody<T>& body, const Board<T>* board,
-                              const State<T>& start, const DropSettings<T>& settings, const T& time, EventKind first) {
+[[nodiscard]] Run<T> make_run(const Stone<T>& stone, const RigidBody<T>& body, const Board<T>* board,
+                              const State<T>& start, const DropSettings<T>& settings, const T& time) {
   require_settings(settings, stone);
   require_state(start);
   require_positive("mass", body.mass);
@@ -30,19 +31,24 @@ template <Ordered T>
                    reach / body.moments.minCoeff() * scalar::sqrt(formula::dot(start.L_W, start.L_W));
   const T strength = strength_of(settings.gravity, stone.width, motion);
   const DropSettings<T> all = filled(settings, stone, strength);
-  Run<T> run{.stone = stone,
-             .body = body,
-             .board = board,
-             .settings = all,
-             .scales = contact_scales(stone, strength),
-             .rates = formula::top_rates(moments),
-             .mobility = formula::mobility(body.mass, moments),
-             .contact_body = contact_body(
-                 stone, Moments<T>{.axial = moments.axial / body.mass, .transverse = moments.transverse / body.mass},
-                 all, strength),
-             .reach = reach,
-             .state = start,
-             .time = time};
+  return {.stone = stone,
+          .body = body,
+          .board = board,
+          .settings = all,
+          .scales = contact_scales(stone, strength),
+          .rates = formula::top_rates(moments),
+          .mobility = formula::mobility(body.mass, moments),
+          .contact_body =
+              contact_body(stone, Moments<T>{moments.axial / body.mass, moments.transverse / body.mass}, all, strength),
+          .reach = reach,
+          .state = start,
+          .time = time};
+}
+
+template <Ordered T>
+[[nodiscard]] Drop<T> dropped(const Stone<T>& stone, const RigidBody<T>& body, const Board<T>* board,
+                              const State<T>& start, const DropSettings<T>& settings, const T& time, EventKind first) {
+  Run<T> run = make_run(stone, body, board, start, settings, time);
   // A run that is to stop after so many impacts gets the room for them at once.
   run.result.events.reserve(settings.maximum_impacts < 100000 ? static_cast<std::size_t>(settings.maximum_impacts) + 64
                                                               : 64);

@@ -80,14 +80,14 @@ template <Field T>
 [[nodiscard]] inline detail::Variables<T> contact_rates(const detail::Kinetics<T>& k, const T& damping, const T& damped,
                                                         const Vec3<T>& F, const T& s_x, const T& s_y,
                                                         const Vec3<T>& origin) {
-  const Vec3<T> moment = formula::cross(k.r, F);
+  const Vec3<T> moment = formula::cross(k.r, F), v = formula::centre_velocity(k, s_x, s_y);
   const T N = F.z();
   const T lost = -(F.x() * s_x + F.y() * s_y + N * formula::dot(k.torque, k.w)) + damped;
   return {k.u_rate.x(),
           k.u_rate.y(),
           k.u_rate.z(),
-          T(s_x - k.point.x()),
-          T(s_y - k.point.y()),
+          v.x(),
+          v.y(),
           formula::carried_spin_rate(origin, k.u, k.u_rate, k.spin_rate),
           lost,
           T(moment.x() + N * k.torque.x() - damping * k.L.x()),
@@ -154,7 +154,7 @@ template <Ordered T>
 template <Ordered T>
 [[nodiscard]] inline Variables<T> rates(const ContactBody<T>& body, const Kinetics<T>& k, const Vec3<T>& F,
                                         const T& s_x, const T& s_y, const Vec3<T>& origin) {
-  const T damped = T(0) < body.damping ? formula::damping_power<T>(k, body.damping, s_x, s_y) : T(T(0));
+  const T damped = T(0) < body.damping ? formula::damping_power<T>(k, body.damping, s_x, s_y) : T(0);
   return formula::contact_rates(k, body.damping, damped, F, s_x, s_y, origin);
 }
 

@@ -6,6 +6,7 @@
 #include <cfenv>
 #include <cmath>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/samples/domain_scene.hpp"
 
@@ -25,7 +26,7 @@ void see_magnitudes(Context& context, Checks& checks, int count) {
         i % 8 == 0 ? (i % 16 == 0 ? largest : smallest) : static_cast<int>(context.uniform(smallest, largest));
     const T factor = std::ldexp(T(1), e);
     const Scene<T> other = make_scene<T>(drawn, factor);
-    const Long scale = size_of(usual) * epsilon<T>;
+    const Long scale = size_of(usual) * epsilon_of<T>;
     const auto expected = separations(usual), found = separations(other);
     for (std::size_t k = 0; k < 3; ++k) {
       const auto describe_case = [&] {
@@ -53,8 +54,8 @@ void see_magnitudes(Context& context, Checks& checks, int count) {
       };
       checks["faults"].see(then[k].status == when[k].status ? 0.0 : 1.0, describe_time);
       const double time = context.produced(static_cast<double>(then[k].time));
-      checks["time"].see(std::fabs(time - static_cast<double>(when[k].time)), static_cast<double>(horizon * epsilon<T>),
-                         describe_time);
+      checks["time"].see(std::fabs(time - static_cast<double>(when[k].time)),
+                         static_cast<double>(horizon * epsilon_of<T>), describe_time);
     }
   }
 }
@@ -81,7 +82,7 @@ void see_far(Context& context, Checks& checks, int count) {
         std::sqrt(X * X + Y * Y + beyond(p.z()) * beyond(p.z())),
         (p - scene.other_pose.p_WB.template cast<Long>()).norm()};
     const std::array<Long, 3> reaches = {reach, reach, reach + other_reach};
-    const Long scale = (size_of(scene) + p.norm()) * epsilon<T>;
+    const Long scale = (size_of(scene) + p.norm()) * epsilon_of<T>;
     for (std::size_t k = 0; k < 3; ++k) {
       const Long gap = produced(context, found[k]);
       const auto describe_case = [&] {
@@ -111,7 +112,7 @@ void see_attitudes(Context& context, Checks& checks, int count) {
     const T share = static_cast<T>(i % 2 == 0 ? 60.0 : -60.0) * std::numeric_limits<T>::epsilon();
     off.pose.q_WB.coeffs() *= std::sqrt(T(1) + share);
     const auto expected = separations(unit), found = separations(off);
-    const Long scale = size_of(unit) * epsilon<T>;
+    const Long scale = size_of(unit) * epsilon_of<T>;
     for (std::size_t k = 0; k < 3; ++k) {
       const auto describe_case = [&] {
         return fmt::format("{}, |q|² off by {}: {}, {}", kinds[k], share, describe(drawn.first, drawn.pose),
@@ -139,7 +140,7 @@ void see_rounding(Context& context, Checks& checks, int count) {
     const Drawn drawn = draw(context, i);
     const Scene<T> scene = make_scene<T>(drawn, T(1));
     const auto expected = separations(scene);
-    const Long unit = size_of(scene) * epsilon<T>;
+    const Long unit = size_of(scene) * epsilon_of<T>;
     for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
       std::fesetround(mode);
       const auto found = separations(scene);
@@ -194,7 +195,7 @@ void see_denormals(Context& context, Checks& checks, int count) {
       checks["faults"].see(refused && defect(found[k]).empty() ? 0.0 : 1.0, describe_case);
       if (found[k].certified && expected[k].certified) {
         const Long off = std::fabs(produced(context, found[k]) - static_cast<Long>(expected[k].gap));
-        checks["gap"].see(static_cast<double>(off / (size_of(zero) * epsilon<T>)), describe_case);
+        checks["gap"].see(static_cast<double>(off / (size_of(zero) * epsilon_of<T>)), describe_case);
       }
     }
   }
@@ -249,7 +250,7 @@ void see_flights(Context& context, Checks& checks, int count) {
       return m.dot(p) + t * (m.dot(v) + t / 2 * m.dot(a)) - static_cast<Long>(scene.plane.offset);
     };
     const auto noise = [&](Long t) {
-      return epsilon<T> *
+      return epsilon_of<T> *
              (8 * size_of(scene) + size(scene.path.p_W) + t * (size(scene.path.v_W) + t * size(scene.path.a_W)) +
               static_cast<Long>(scene.stone.sphere_radius));
     };
@@ -275,15 +276,11 @@ void see_flights(Context& context, Checks& checks, int count) {
 
 std::vector<Claim> domain_contact_claims() {
   const auto in_epsilon = [](const char* name, double bound, const char* reason) {
-    return Check{.name = name,
-                 .unit = "ε of float or double, of widths and distances",
-                 .bound = bound,
-                 .reason = reason,
-                 .resolution = 0.25};
+    return within(name, bound, "ε of float or double, of widths and distances", reason, 0.25);
   };
   const auto claim = [](const char* id, const char* statement, const char* oracle, OracleFamily family,
                         std::vector<Check> checks, std::vector<Mutant> mutants, auto see, int quick, int full) {
-    checks.push_back(no_faults());
+    checks.push_back(none("faults", "faults"));
     return Claim{.id = id,
                  .statement = statement,
                  .function = "separation (plane, board, stones), surface_gap, time_of_impact",
@@ -305,11 +302,7 @@ std::vector<Claim> domain_contact_claims() {
           "same times of impact.",
           "the same scene at its usual size; the factor is a power of two", OracleFamily::relation,
           {in_epsilon("gap", 2.0, "a search in another world of another size rounds as it does in this one"),
-           {.name = "time",
-            .unit = "ε of float or double, of the horizon",
-            .bound = 1.0,
-            .reason = "the same",
-            .resolution = 0.25}},
+           within("time", 1.0, "ε of float or double, of the horizon", "the same", 0.25)},
           {{"contact/stone_stone.hpp", "return Squares<T>::hold(pair.scale) ?", "return true ?"}},
           [](Context& c, Checks& checks, int count, auto t) { see_magnitudes<decltype(t)>(c, checks, count); }, 1500,
           20000),

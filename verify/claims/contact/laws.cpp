@@ -8,14 +8,13 @@
 #include <goishi/contact/stone_plane.hpp>
 #include <goishi/contact/stone_stone.hpp>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/samples/pose.hpp"
 
 namespace goishi::verify {
 
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// A rigid motion of the world.
 struct Motion {
@@ -191,22 +190,14 @@ std::vector<Claim> contact_law_claims() {
        .function = "separation (plane, board, stones)",
        .family = OracleFamily::relation,
        .oracle = "the same bodies, moved",
-       .checks = {{.name = "plane",
-                   .unit = "of the width or the distance",
-                   .bound = 4e-15,
-                   .reason = "two gaps of 1e-15, and the motion itself: positions, normals and attitudes are rounded; "
-                             "measured 2026-11-30 with 13 seeds: up to 1.2e-15",
-                   .resolution = epsilon},
-                  {.name = "board",
-                   .unit = "of width, distance and the sphere's radius together",
-                   .bound = 2e-15,
-                   .reason = "the same, its axes exchanged; measured 2026-11-30 with 13 seeds: up to 3.7e-16",
-                   .resolution = epsilon},
-                  {.name = "pair",
-                   .unit = "of width, distance and the sphere's radius together",
-                   .bound = 4e-15,
-                   .reason = "the same; measured 2026-11-30 with 13 seeds: up to 5.6e-16",
-                   .resolution = epsilon}},
+       .checks = {within("plane", 4e-15, "of the width or the distance",
+                         "two gaps of 1e-15, and the motion itself: positions, normals and attitudes are rounded; "
+                         "measured 2026-11-30 with 13 seeds: up to 1.2e-15",
+                         epsilon),
+                  within("board", 2e-15, "of width, distance and the sphere's radius together",
+                         "the same, its axes exchanged; measured 2026-11-30 with 13 seeds: up to 3.7e-16", epsilon),
+                  within("pair", 4e-15, "of width, distance and the sphere's radius together",
+                         "the same; measured 2026-11-30 with 13 seeds: up to 5.6e-16", epsilon)},
        .mutants = {{"contact/stone_board.hpp", "T(sign_x * found.n.x())", "found.n.x()"},
                    {"contact/stone_plane.hpp", "plane.n_W, plane.offset);", "plane.n_W, T(0));"},
                    {"contact/pair.hpp", "between(formula::minus(one.p_W, other.p_W))", "between(one.p_W)"},
@@ -221,12 +212,9 @@ std::vector<Claim> contact_law_claims() {
        .function = "separation (plane, board, stones)",
        .family = OracleFamily::invariant,
        .oracle = "one rule: the gap lies between the two points, along the normal",
-       .checks = {{.name = "gap",
-                   .unit = "of width, distance and the sphere's radius together",
-                   .bound = 5e-15,
-                   .reason = "the points are rounded; measured 2026-11-30 with 13 seeds: up to 1.1e-15",
-                   .resolution = epsilon},
-                  no_faults("defects")},
+       .checks = {within("gap", 5e-15, "of width, distance and the sphere's radius together",
+                         "the points are rounded; measured 2026-11-30 with 13 seeds: up to 1.1e-15", epsilon),
+                  none("defects", "faults")},
        .mutants = {{"contact/stone_stone.hpp", "if (T(0) < size2) {", "if (true) {"},
                    {"contact/contact.hpp", "T(-result.gap), n_W)", "T(result.gap), n_W)"}},
        .measure = measure_million},

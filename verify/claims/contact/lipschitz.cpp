@@ -8,14 +8,13 @@
 #include <goishi/contact/stone_plane.hpp>
 #include <goishi/contact/stone_stone.hpp>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/samples/pose.hpp"
 
 namespace goishi::verify {
 
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// A pose, moved and turned by a step, and how far that takes any point of the stone at most.
 struct Step {
@@ -123,11 +122,10 @@ std::vector<Claim> contact_lipschitz_claims() {
        .function = "separation (plane, board, stones)",
        .family = OracleFamily::relation,
        .oracle = "the same bodies, one of them a step away",
-       .checks = {{.unit = "of width and distances together",
-                   .bound = 1e-15,
-                   .reason = "two gaps, each of some roundings of the widths and of where the stones are; measured "
-                             "2026-11-30 with 23 seeds: up to 1.7e-16",
-                   .resolution = epsilon / 4.0}},
+       .checks = {within("", 1e-15, "of width and distances together",
+                         "two gaps, each of some roundings of the widths and of where the stones are; measured "
+                         "2026-11-30 with 23 seeds: up to 1.7e-16",
+                         epsilon / 4.0)},
        .mutants = {{"contact/stone_board.hpp", "distance < reach || (gap < T(0) && distance < reach - gap)",
                     "distance < reach"},
                    {"contact/stone_stone.hpp", "dot(pair.between, n) - support_value(first.stone,",

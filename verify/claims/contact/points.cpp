@@ -6,17 +6,13 @@
 #include <cmath>
 #include <functional>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/samples/pose.hpp"
 
 namespace goishi::verify {
 
 namespace {
-
-using Long = long double;
-using Long3 = Vec3<Long>;
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 Measurement measure_plane(Context& context) {
   Worst worst;
@@ -216,10 +212,9 @@ std::vector<Claim> contact_point_claims() {
        .function = "separation (plane)",
        .family = OracleFamily::other_formula,
        .oracle = "the farthest point of caps and torus in 50 digits",
-       .checks = {{.unit = "of the greater of width and distance, plus the sphere's radius",
-                   .bound = 2e-15,
-                   .reason = "the axis, 2 ulp, turns the point about the sphere's centre; then as CONTACT-1",
-                   .resolution = epsilon / 4.0}},
+       .checks = {within("", 2e-15, "of the greater of width and distance, plus the sphere's radius",
+                         "the axis, 2 ulp, turns the point about the sphere's centre; then as CONTACT-1",
+                         epsilon / 4.0)},
        .mutants = {{"contact/contact.hpp", "const T along = cap ? (upper ? height : T(-height))",
                     "const T along = cap ? height"},
                    {"contact/contact.hpp", "result.p_stone = formula::minus(placed.p_W, support.x_W);",
@@ -232,19 +227,15 @@ std::vector<Claim> contact_point_claims() {
        .function = "separation (board, stones)",
        .family = OracleFamily::other_formula,
        .oracle = "slope and curvature of the separation in long double, from the farthest points of caps and torus",
-       .checks = {{.name = "normal",
-                   .unit = "radians",
-                   .bound = 2e-10,
-                   .reason = "a fifth of the bar, 1e-9; what the last step of a search over the normals leaves: "
-                             "measured 2026-11-30 with 14 seeds: up to 6.8e-11. Resolution: a slope is rounded to ε of "
-                             "the sphere's radius, 250 widths, and divided by that hundredth",
-                   .resolution = 250.0 * epsilon / 0.01},
-                  {.name = "points",
-                   .unit = "of the width and the spheres' radii",
-                   .bound = 2e-14,
-                   .reason = "they are those that the given normal meets, to the roundings of its parts; measured "
-                             "2026-11-30 with 11 seeds: up to 4.6e-15",
-                   .resolution = epsilon}},
+       .checks = {within("normal", 2e-10, "radians",
+                         "a fifth of the bar, 1e-9; what the last step of a search over the normals leaves: "
+                         "measured 2026-11-30 with 14 seeds: up to 6.8e-11. Resolution: a slope is rounded to ε of "
+                         "the sphere's radius, 250 widths, and divided by that hundredth",
+                         250.0 * epsilon / 0.01),
+                  within("points", 2e-14, "of the width and the spheres' radii",
+                         "they are those that the given normal meets, to the roundings of its parts; measured "
+                         "2026-11-30 with 11 seeds: up to 4.6e-15",
+                         epsilon)},
        .mutants = {{"shape/surface.hpp", "return stone.bevel_major_radius / radial + stone.bevel_minor_radius;",
                     "return stone.bevel_major_radius / radial - stone.bevel_minor_radius;"},
                    {"contact/arc.hpp",

@@ -7,6 +7,7 @@
 #include <goishi/contact/stone_board.hpp>
 #include <goishi/contact/stone_plane.hpp>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/samples/pose.hpp"
 
@@ -14,9 +15,6 @@ namespace goishi::verify {
 
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
-using Long3 = Vec3<long double>;
 Measurement measure_plane(Context& context) {
   Worst worst;
   for (int i = 0; i < context.samples(2000, 20000); ++i) {
@@ -172,18 +170,13 @@ std::vector<Claim> contact_claims() {
        .function = "separation (board)",
        .family = OracleFamily::brute_force,
        .oracle = "a search over sampled normals, refined by golden section and simplex, its best valued in long double",
-       .checks = {{.name = "gap",
-                   .unit = "of the width",
-                   .bound = 2.5e-14,
-                   .reason = "the board's sides add roundings of ten widths, thin stones those of their spheres; "
-                             "measured 2026-11-30 with 23 seeds: up to 6.7e-15",
-                   .resolution = epsilon},
-                  {.name = "better normal",
-                   .unit = "of the width",
-                   .bound = 2.5e-14,
-                   .reason = "the same, one-sided; measured 2026-11-30 with 23 seeds: up to 5.0e-15",
-                   .resolution = epsilon},
-                  no_faults("search")},
+       .checks = {within("gap", 2.5e-14, "of the width",
+                         "the board's sides add roundings of ten widths, thin stones those of their spheres; "
+                         "measured 2026-11-30 with 23 seeds: up to 6.7e-15",
+                         epsilon),
+                  within("better normal", 2.5e-14, "of the width",
+                         "the same, one-sided; measured 2026-11-30 with 23 seeds: up to 5.0e-15", epsilon),
+                  none("search", "faults")},
        .mutants = {{"contact/octant.hpp", "search_edge(2, 1, best);", ""},
                    {"contact/octant.hpp", "search_corner(best);", ""},
                    {"contact/octant.hpp", "search_edge(0, 1, best);", ""},
@@ -203,34 +196,23 @@ std::vector<Claim> contact_claims() {
        .family = OracleFamily::invariant,
        .oracle = "300 points of each stone, and the gap after the push-out",
        .checks =
-           {{.name = "unit normal",
-             .unit = "relative",
-             .bound = 1e-15,
-             .reason = "a root and a quotient; measured 2026-11-30 with 23 seeds: up to 4.4e-16",
-             .resolution = epsilon},
+           {within("unit normal", 1e-15, "relative",
+                   "a root and a quotient; measured 2026-11-30 with 23 seeds: up to 4.4e-16", epsilon),
             {.name = "between the points",
              .unit = "of the width",
              .bound = 1.2e-14,
              .reason =
                  "points at ten widths from the middle are rounded; measured 2026-11-30 with 23 seeds: up to 2.5e-15",
              .resolution = epsilon},
-            {.name = "point on the stone",
-             .unit = "of the width and the sphere's radius",
-             .bound = 4e-15,
-             .reason = "the same; measured 2026-11-30 with 23 seeds: up to 9.6e-16",
-             .resolution = epsilon},
-            {.name = "beyond the plane",
-             .unit = "of the width",
-             .bound = 1.5e-14,
-             .reason = "the gap, as CONTACT-2; measured 2026-11-30 with 23 seeds: up to 3.2e-15",
-             .resolution = epsilon},
-            {.name = "push-out",
-             .unit = "of the width",
-             .bound = 8e-14,
-             .reason = "the position after it is rounded at ten widths from the middle; measured 2026-11-30 with 23 "
-                       "seeds: up to 1.9e-14",
-             .resolution = epsilon},
-            no_faults()},
+            within("point on the stone", 4e-15, "of the width and the sphere's radius",
+                   "the same; measured 2026-11-30 with 23 seeds: up to 9.6e-16", epsilon),
+            within("beyond the plane", 1.5e-14, "of the width",
+                   "the gap, as CONTACT-2; measured 2026-11-30 with 23 seeds: up to 3.2e-15", epsilon),
+            within("push-out", 8e-14, "of the width",
+                   "the position after it is rounded at ten widths from the middle; measured 2026-11-30 with 23 "
+                   "seeds: up to 1.9e-14",
+                   epsilon),
+            none("faults", "faults")},
        .mutants = {{"contact/contact.hpp", "formula::plus(result.p_stone, T(-result.gap), n_W)",
                     "formula::plus(result.p_stone, T(0), n_W)"},
                    {"contact/contact.hpp", "result.gap < T(0) ? SeparationStatus::overlapping",

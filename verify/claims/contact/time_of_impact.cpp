@@ -7,6 +7,7 @@
 #include <goishi/contact/time_of_impact.hpp>
 #include <goishi/motion/free_flight.hpp>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/oracles/numbers/golden.hpp"
 #include "verify/samples/flight_path.hpp"
@@ -14,10 +15,6 @@
 namespace goishi::verify {
 
 namespace {
-
-using Long = long double;
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // --- a plane
 
@@ -203,13 +200,11 @@ std::vector<Claim> time_of_impact_claims() {
        .function = "time_of_impact (plane)",
        .family = OracleFamily::exact,
        .oracle = "the root of the parabola, √(2(h₀ − h/2)/g) from rest, in long double",
-       .checks = {{.name = "time",
-                   .unit = "relative, over the height per distance fallen",
-                   .bound = 4e-15,
-                   .reason = "a gap and its parabola of some six roundings of the height, Newton's last step; measured "
-                             "2026-11-30 with 23 seeds: up to 1.7e-15",
-                   .resolution = epsilon},
-                  no_faults("status")},
+       .checks = {within("time", 4e-15, "relative, over the height per distance fallen",
+                         "a gap and its parabola of some six roundings of the height, Newton's last step; measured "
+                         "2026-11-30 with 23 seeds: up to 1.7e-15",
+                         epsilon),
+                  none("status", "faults")},
        .mutants = {{"contact/flight_path.hpp", "T(2) * height / (root - rate)", "T(3) * height / (root - rate)"},
                    {"contact/flight_path.hpp", "t + falling_time(over,", "t + T(2) * falling_time(over,"},
                    {"contact/flight_path.hpp", "c0 + t * (c1 + t * c2 / T(2))", "c0 + t * (c1 + t * c2)"}},
@@ -221,18 +216,13 @@ std::vector<Claim> time_of_impact_claims() {
        .function = "time_of_impact (plane)",
        .family = OracleFamily::brute_force,
        .oracle = "the gap of caps and torus in long double at 10 000 instants, their dips searched by golden section",
-       .checks = {{.name = "penetration",
-                   .unit = "of width, height and the angle turned times the width",
-                   .bound = 1e-14,
-                   .reason = "round-off of the gap: the angle is rounded, the axis has some ten roundings; measured "
-                             "2026-11-30 with 23 seeds: up to 1.8e-15",
-                   .resolution = epsilon},
-                  {.name = "gap at the time",
-                   .unit = "of width, height and the angle turned times the width",
-                   .bound = 1e-14,
-                   .reason = "the same; measured 2026-11-30 with 23 seeds: up to 1.8e-15",
-                   .resolution = epsilon},
-                  no_faults()},
+       .checks = {within("penetration", 1e-14, "of width, height and the angle turned times the width",
+                         "round-off of the gap: the angle is rounded, the axis has some ten roundings; measured "
+                         "2026-11-30 with 23 seeds: up to 1.8e-15",
+                         epsilon),
+                  within("gap at the time", 1e-14, "of width, height and the angle turned times the width",
+                         "the same; measured 2026-11-30 with 23 seeds: up to 1.8e-15", epsilon),
+                  none("faults", "faults")},
        .mutants = {{"contact/flight_path.hpp", "formula::greatest_bend(part.stone->sphere_offset",
                     "formula::greatest_bend<T>(part.stone->sphere_offset / T(8)"},
                    {"contact/flight_path.hpp", "const T least = magnitude_of(part.A) - swing;",
@@ -246,12 +236,9 @@ std::vector<Claim> time_of_impact_claims() {
        .function = "time_of_impact (plane, board, stones)",
        .family = OracleFamily::exact,
        .oracle = "0, 2v/g, never",
-       .checks = {{.name = "time",
-                   .unit = "relative, or of the time in which the speed goes half the height",
-                   .bound = 1e-15,
-                   .reason = "the roundings of 2v/g; measured 2026-11-30 with 23 seeds: up to 2.2e-16",
-                   .resolution = epsilon},
-                  no_faults("status")},
+       .checks = {within("time", 1e-15, "relative, or of the time in which the speed goes half the height",
+                         "the roundings of 2v/g; measured 2026-11-30 with 23 seeds: up to 2.2e-16", epsilon),
+                  none("status", "faults")},
        .mutants = {{"contact/flight_path.hpp", "now.gap <= gap && now.rate <= rate", "now.gap <= gap"},
                    {"contact/flight_path.hpp", "(rate + root) / -c", "T(2) * (rate + root) / -c"},
                    {"contact/time_of_impact.hpp", "result.contact.gap < -nothing.gap && result.separations == 1",

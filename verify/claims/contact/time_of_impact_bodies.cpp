@@ -6,14 +6,13 @@
 #include <cmath>
 #include <goishi/contact/time_of_impact.hpp>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/samples/flight_path.hpp"
 
 namespace goishi::verify {
 
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// At how many instants flight i is looked at: some flights at ten thousand.
 int instants_of(Context& context, int i) {
@@ -132,18 +131,15 @@ std::vector<Claim> time_of_impact_body_claims() {
        .function = "time_of_impact (board)",
        .family = OracleFamily::invariant,
        .oracle = "the separation, judged by CONTACT-2, at up to 10 000 instants of the flight in long double",
-       .checks = {{.name = "penetration",
-                   .unit = "of width, distance, the sphere's radius and the angle turned times the width",
-                   .bound = 16.0 * epsilon,
-                   .reason = "the search comes from outside: the roundings of a separation",
-                   .resolution = epsilon},
-                  {.name = "gap at the time",
-                   .unit = "of width, distance, the sphere's radius and the angle turned times the width",
-                   .bound = 64.0 * epsilon,
-                   .reason = "the search ends when the separation is within 64 ε of the width; measured 2026-11-30 "
-                             "with 23 seeds: up to 5.3e-15",
-                   .resolution = epsilon},
-                  no_faults()},
+       .checks = {within("penetration", 16.0 * epsilon,
+                         "of width, distance, the sphere's radius and the angle turned times the width",
+                         "the search comes from outside: the roundings of a separation", epsilon),
+                  within("gap at the time", 64.0 * epsilon,
+                         "of width, distance, the sphere's radius and the angle turned times the width",
+                         "the search ends when the separation is within 64 ε of the width; measured 2026-11-30 "
+                         "with 23 seeds: up to 5.3e-15",
+                         epsilon),
+                  none("faults", "faults")},
        .mutants = {{"contact/time_of_impact.hpp", "detail::reach_of(board, contact.n_W)", "T(0)"},
                    {"contact/flight_path.hpp", "formula::greatest_bend(part.stone->sphere_offset",
                     "formula::greatest_bend<T>(part.stone->sphere_offset / T(8)"}},
@@ -155,18 +151,15 @@ std::vector<Claim> time_of_impact_body_claims() {
        .function = "time_of_impact (stones)",
        .family = OracleFamily::invariant,
        .oracle = "the separation, judged by CONTACT-4, at up to 10 000 instants of the flight in long double",
-       .checks = {{.name = "penetration",
-                   .unit = "of widths, distance, the spheres' radii and the angles turned times the widths",
-                   .bound = 16.0 * epsilon,
-                   .reason = "the search comes from outside: the roundings of a separation",
-                   .resolution = epsilon},
-                  {.name = "gap at the time",
-                   .unit = "of widths, distance, the spheres' radii and the angles turned times the widths",
-                   .bound = 256.0 * epsilon,
-                   .reason = "the search ends when the separation is within 256 ε of the two widths; measured "
-                             "2026-11-30 with 23 seeds: up to 2.3e-14",
-                   .resolution = epsilon},
-                  no_faults()},
+       .checks = {within("penetration", 16.0 * epsilon,
+                         "of widths, distance, the spheres' radii and the angles turned times the widths",
+                         "the search comes from outside: the roundings of a separation", epsilon),
+                  within("gap at the time", 256.0 * epsilon,
+                         "of widths, distance, the spheres' radii and the angles turned times the widths",
+                         "the search ends when the separation is within 256 ε of the two widths; measured "
+                         "2026-11-30 with 23 seeds: up to 2.3e-14",
+                         epsilon),
+                  none("faults", "faults")},
        .mutants = {{"contact/time_of_impact.hpp", "gap.add(formula::wobble(other, other_path, n));", ""},
                    {"contact/time_of_impact.hpp", "n.dot(Vec3<T>(path.v_W - other_path.v_W))", "n.dot(path.v_W)"}},
        .measure = measure_pair},

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <goishi/mass/inertia.hpp>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/oracles/contact/flying_bodies.hpp"
 #include "verify/samples/attitude.hpp"
@@ -14,10 +15,6 @@
 namespace goishi::verify {
 
 namespace {
-
-using Long = long double;
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// A stone that is thrown, as Odeint sees it and as the time of impact does.
 struct Throw {
@@ -150,18 +147,13 @@ std::vector<Claim> time_of_impact_odeint_claims() {
        .family = OracleFamily::integration,
        .oracle = "Newton's and Euler's equations by Fehlberg 7(8) in long double, the first change of sign of the "
                  "separation bisected",
-       .checks = {{.name = "at the board",
-                   .unit = "of width, distance and the angle turned times the width",
-                   .bound = 64.0 * epsilon,
-                   .reason = "the search ends when the separation is within 64 ε of the width",
-                   .resolution = epsilon},
-                  {.name = "of two stones",
-                   .unit = "of width, distance and the angle turned times the width",
-                   .bound = 96.0 * epsilon,
-                   .reason = "the search ends when the separation is within 256 ε of the two widths, half of the unit; "
-                             "measured 2026-11-30 with 24 seeds: up to 1.1e-14",
-                   .resolution = epsilon},
-                  no_faults()},
+       .checks = {within("at the board", 64.0 * epsilon, "of width, distance and the angle turned times the width",
+                         "the search ends when the separation is within 64 ε of the width", epsilon),
+                  within("of two stones", 96.0 * epsilon, "of width, distance and the angle turned times the width",
+                         "the search ends when the separation is within 256 ε of the two widths, half of the unit; "
+                         "measured 2026-11-30 with 24 seeds: up to 1.1e-14",
+                         epsilon),
+                  none("faults", "faults")},
        .mutants = {{"contact/flight_path.hpp", "return along + scalar::cos(angle)",
                     "return along - scalar::cos(angle)"},
                    {"contact/flight_path.hpp", "formula::dot(formula::cross(path.k_W, path.u_W), n),",

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/samples/drop.hpp"
 #include "verify/samples/stone.hpp"
@@ -14,8 +15,6 @@
 namespace goishi::verify {
 
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // --- DROP-1
 
@@ -207,18 +206,12 @@ std::vector<Claim> drop_bounces_claims() {
              .reason =
                  "some roundings of the parabola and of its root; measured 2026-11-30 with 26 seeds: up to 1.8e-16",
              .resolution = epsilon},
-            {.name = "end of bounces",
-             .unit = "relative",
-             .bound = 1.5e-14,
-             .reason = "up to 60 bounces round a little each, and 1/(1 − e) = 10 counts it; measured 2026-11-30 with "
-                       "26 seeds: up to 3.8e-15",
-             .resolution = epsilon},
-            {.name = "height",
-             .unit = "of the height",
-             .bound = epsilon,
-             .reason = "it lies flat: half the height, rounded",
-             .resolution = epsilon},
-            no_faults()},
+            within("end of bounces", 1.5e-14, "relative",
+                   "up to 60 bounces round a little each, and 1/(1 − e) = 10 counts it; measured 2026-11-30 with "
+                   "26 seeds: up to 3.8e-15",
+                   epsilon),
+            within("height", epsilon, "of the height", "it lies flat: half the height, rounded", epsilon),
+            none("faults", "faults")},
        .mutants = {{"drop/flight_phase.hpp", "T(2) * v / (g *", "T(1) * v / (g *"},
                    {"drop/flight_phase.hpp", "v / (g * (T(1) - restitution))", "v / (g * (T(1) + restitution))"},
                    {"impact/impulses.hpp", "(T(1) + restitution - kappa) * plastic",
@@ -234,23 +227,14 @@ std::vector<Claim> drop_bounces_claims() {
        .function = "drop",
        .family = OracleFamily::invariant,
        .oracle = "the start; energy from the state, in long double",
-       .checks = {{.name = "energy",
-                   .unit = "relative",
-                   .bound = 4e-13,
-                   .reason = "each impact and flight rounds energy by some ε, a random walk of 10 000; measured "
-                             "2026-11-30 with 26 seeds: up to 3.9e-14 of 1000",
-                   .resolution = epsilon},
-                  {.name = "energy as told",
-                   .unit = "relative",
-                   .bound = 4e-13,
-                   .reason = "the same; measured 2026-11-30 with 26 seeds: up to 3.9e-14",
-                   .resolution = epsilon},
-                  {.name = "slide",
-                   .unit = "relative",
-                   .bound = 0.0,
-                   .reason = "no impulse of a smooth contact lies along the plane"},
-                  {.name = "spin", .unit = "relative", .bound = 0.0, .reason = "nor turns about its normal"},
-                  no_faults()},
+       .checks = {within("energy", 4e-13, "relative",
+                         "each impact and flight rounds energy by some ε, a random walk of 10 000; measured "
+                         "2026-11-30 with 26 seeds: up to 3.9e-14 of 1000",
+                         epsilon),
+                  within("energy as told", 4e-13, "relative",
+                         "the same; measured 2026-11-30 with 26 seeds: up to 3.9e-14", epsilon),
+                  within("slide", 0.0, "relative", "no impulse of a smooth contact lies along the plane"),
+                  within("spin", 0.0, "relative", "nor turns about its normal"), none("faults", "faults")},
        .mutants = {{"impact/impulses.hpp", "-((T(1) + restitution) * approach)",
                     "-((T(1) + T(1000001) / T(1000000) * restitution) * approach)"},
                    {"drop/next_impact.hpp", "momentum * rates.precession;",
@@ -268,16 +252,10 @@ std::vector<Claim> drop_bounces_claims() {
        .function = "drop",
        .family = OracleFamily::published,
        .oracle = "the measured tangential restitution; 1 − μ (1 + e) v_n/v_t or 5/7",
-       .checks = {{.name = "theory",
-                   .unit = "relative",
-                   .bound = 4.0 * epsilon,
-                   .reason = "some roundings of an impact; measured 2026-11-30 with 26 seeds: up to 2.2e-16",
-                   .resolution = epsilon},
-                  {.name = "measured",
-                   .unit = "relative",
-                   .bound = 0.01,
-                   .reason = "the agreement that was found when they were published"},
-                  no_faults()},
+       .checks = {within("theory", 4.0 * epsilon, "relative",
+                         "some roundings of an impact; measured 2026-11-30 with 26 seeds: up to 2.2e-16", epsilon),
+                  within("measured", 0.01, "relative", "the agreement that was found when they were published"),
+                  none("faults", "faults")},
        .mutants = {{"drop/flight_phase.hpp", "Material<T>{restitution, material_.friction}",
                     "Material<T>{restitution, T(material_.friction * T(11) / T(10))}"},
                    {"impact/chatterjee_ruina.hpp", "(T(1) + c.restitution) * plastic", "T(1) * plastic"},

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/samples/drop.hpp"
 
@@ -118,11 +119,9 @@ std::vector<Claim> drop_friction_claims() {
        .function = "drop",
        .family = OracleFamily::invariant,
        .oracle = "the start; the integral from the state, in long double",
-       .checks = {{.name = "Jellett's integral",
-                   .unit = "relative",
-                   .bound = 7e-11,
-                   .reason = "tolerance 1e-12; measured 2026-11-30 with 26 seeds: up to 1.6e-11"},
-                  no_faults()},
+       .checks = {within("Jellett's integral", 7e-11, "relative",
+                         "tolerance 1e-12; measured 2026-11-30 with 26 seeds: up to 1.6e-11"),
+                  none("faults", "faults")},
        .mutants = {{"drop/kinetics.hpp", "const Vec3<T> moment = formula::cross(k.r, F)",
                     "const Vec3<T> moment = T(1000001) / T(1000000) * formula::cross(k.r, F) + T(1e-9) * F"},
                    {"drop/slip.hpp", "const Vec3<T> q(T(-(k * s_x)), T(-(k * s_y)), T(1))",
@@ -137,17 +136,13 @@ std::vector<Claim> drop_friction_claims() {
        .function = "drop",
        .family = OracleFamily::exact,
        .oracle = "the closed form of time by slip in long double; the dry drop",
-       .checks = {{.name = "slip",
-                   .unit = "of the time",
-                   .bound = 5e-12,
-                   .reason = "some ten steps of tolerance 1e-11; measured 2026-11-30 with 26 seeds: up to 1.2e-12"},
-                  {.name = "spin",
-                   .unit = "relative",
-                   .bound = 1e-13,
-                   .reason = "nothing brakes it but what the energy balance takes from all velocities alike; measured "
-                             "2026-11-30 with 26 seeds: up to 1.4e-14",
-                   .resolution = std::numeric_limits<double>::epsilon()},
-                  no_faults()},
+       .checks = {within("slip", 5e-12, "of the time",
+                         "some ten steps of tolerance 1e-11; measured 2026-11-30 with 26 seeds: up to 1.2e-12"),
+                  within("spin", 1e-13, "relative",
+                         "nothing brakes it but what the energy balance takes from all velocities alike; measured "
+                         "2026-11-30 with 26 seeds: up to 1.4e-14",
+                         std::numeric_limits<double>::epsilon()),
+                  none("faults", "faults")},
        .mutants = {{"drop/run.hpp", "T(8) * patch_radius / (T(3)", "T(8) * patch_radius / (T(4)"},
                    {"drop/slip.hpp", "scalar::sq(T(patch * w_z)) + creep_square", "scalar::sq(T(patch * w_z))"},
                    {"drop/run.hpp", "const bool patch = T(0) < patch_radius",

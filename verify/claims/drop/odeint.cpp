@@ -6,6 +6,7 @@
 #include <cmath>
 #include <goishi/mass/inertia.hpp>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/samples/touching.hpp"
 
@@ -80,20 +81,12 @@ std::vector<Claim> drop_odeint_claims() {
        .function = "drop",
        .family = OracleFamily::integration,
        .oracle = "Euler angles and multipliers in long double, Odeint's Fehlberg 7(8) at 1e-15, its events bisected",
-       .checks = {{.name = "place",
-                   .unit = "of half the width",
-                   .bound = 1e-10,
-                   .reason = "tolerance 1e-12 over some thousand steps, magnified by what follows a change; measured "
-                             "2026-11-30 with 12 seeds: up to 1.5e-11"},
-                  {.name = "attitude",
-                   .unit = "rad",
-                   .bound = 1e-10,
-                   .reason = "the same; measured 2026-11-30 with 12 seeds: up to 1.3e-11"},
-                  {.name = "momentum",
-                   .unit = "relative",
-                   .bound = 5e-11,
-                   .reason = "the same; measured 2026-11-30 with 12 seeds: up to 5.6e-12"},
-                  no_faults()},
+       .checks = {within("place", 1e-10, "of half the width",
+                         "tolerance 1e-12 over some thousand steps, magnified by what follows a change; measured "
+                         "2026-11-30 with 12 seeds: up to 1.5e-11"),
+                  within("attitude", 1e-10, "rad", "the same; measured 2026-11-30 with 12 seeds: up to 1.3e-11"),
+                  within("momentum", 5e-11, "relative", "the same; measured 2026-11-30 with 12 seeds: up to 5.6e-12"),
+                  none("faults", "faults")},
        .mutants = {{"drop/contact_motion.hpp", "along * gyration.x()", "along * gyration.y()"},
                    {"drop/slip.hpp", "rate.across = a_y * c - a_x * s;", "rate.across = a_y * c;"},
                    {"drop/kinetics.hpp", "T(moment.y() + N * k.torque.y()", "T(moment.y() + k.torque.y()"}},

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/samples/attitude.hpp"
 #include "verify/samples/drop.hpp"
@@ -14,7 +15,6 @@ namespace goishi::verify {
 
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double tolerance = 1e-12;
 
 // --- DROP-5
@@ -208,22 +208,18 @@ std::vector<Claim> drop_rolling_claims() {
                    .bound = 3e-10,
                    .reason =
                        "some thousand steps of tolerance 1e-12; measured 2026-11-30 with 25 seeds: up to 6.1e-11"},
-                  {.name = "Routh's integral",
-                   .unit = "relative",
-                   .bound = 1e-9,
-                   .reason = "the same, of twice the spin; measured 2026-11-30 with 25 seeds: up to 1.9e-10"},
+                  within("Routh's integral", 1e-9, "relative",
+                         "the same, of twice the spin; measured 2026-11-30 with 25 seeds: up to 1.9e-10"),
                   {.name = "slip",
                    .unit = "of √(2 E)",
                    .bound = 2e-15,
                    .reason =
                        "velocities are made of L, by some roundings; measured 2026-11-30 with 25 seeds: up to 2.6e-16",
                    .resolution = epsilon},
-                  {.name = "energy",
-                   .unit = "relative",
-                   .bound = 2e-15,
-                   .reason = "the integration takes what energy is off out of the velocities: this says that it does, "
-                             "and no more; measured 2026-11-30 with 25 seeds: up to 2.9e-16",
-                   .resolution = epsilon}},
+                  within("energy", 2e-15, "relative",
+                         "the integration takes what energy is off out of the velocities: this says that it does, "
+                         "and no more; measured 2026-11-30 with 25 seeds: up to 2.9e-16",
+                         epsilon)},
        .mutants = {{"drop/contact_motion.hpp", "along * gyration.y() + swept.y()", "along * gyration.y() - swept.y()"},
                    {"drop/contact_motion.hpp", "along * gyration.x() + swept.x()",
                     "T(1000001) / T(1000000) * along * gyration.x() + swept.x()"},
@@ -238,25 +234,17 @@ std::vector<Claim> drop_rolling_claims() {
        .function = "drop",
        .family = OracleFamily::exact,
        .oracle = "the closed form in long double; published: 0.291247997670016 s, 1.24820570430007 m",
-       .checks = {{.name = "time",
-                   .unit = "relative",
-                   .bound = 2e-13,
-                   .reason = "some ten steps of tolerance 1e-12; measured 2026-11-30 with 25 seeds: up to 4.5e-14"},
-                  {.name = "place",
-                   .unit = "relative",
-                   .bound = 2e-13,
-                   .reason = "the same; measured 2026-11-30 with 25 seeds: up to 4.1e-14"},
-                  {.name = "velocity",
-                   .unit = "relative",
-                   .bound = 2e-13,
-                   .reason = "the same; measured 2026-11-30 with 25 seeds: up to 4.0e-14"},
-                  {.name = "as published", .unit = "relative", .bound = 1e-14, .reason = "the last of its 15 digits"},
-                  no_faults()},
+       .checks = {within("time", 2e-13, "relative",
+                         "some ten steps of tolerance 1e-12; measured 2026-11-30 with 25 seeds: up to 4.5e-14"),
+                  within("place", 2e-13, "relative", "the same; measured 2026-11-30 with 25 seeds: up to 4.1e-14"),
+                  within("velocity", 2e-13, "relative", "the same; measured 2026-11-30 with 25 seeds: up to 4.0e-14"),
+                  within("as published", 1e-14, "relative", "the last of its 15 digits"), none("faults", "faults")},
        .mutants = {{"drop/slip.hpp", "const T p_x = W.xz + brake.x() - mu",
                     "const T p_x = W.xz + brake.x() - T(1000001) / T(1000000) * mu"},
                    {"drop/slip.hpp", "mu * (W.xy * c + W.yy * s)", "mu * (W.xy * c + T(2) * W.yy * s)"},
-                   {"drop/kinetics.hpp", "T(s_x - k.point.x())", "T(T(1000001) / T(1000000) * s_x - k.point.x())"},
-                   {"drop/kinetics.hpp", "T(s_x - k.point.x())", "T(s_x + k.point.x())"}},
+                   {"drop/contact_motion.hpp", "return {T(s_x - now.point.x())",
+                    "return {T(T(1000001) / T(1000000) * s_x - now.point.x())"},
+                   {"drop/contact_motion.hpp", "return {T(s_x - now.point.x())", "return {T(s_x + now.point.x())"}},
        .measure = measure_ball},
       {.id = "DROP-13",
        .statement = "A coin that rolls on its edge, leaning by 1°, is after 0.5 s where it was published to be.",
@@ -279,23 +267,15 @@ std::vector<Claim> drop_rolling_claims() {
        .function = "drop",
        .family = OracleFamily::exact,
        .oracle = "the steady motion itself, half a second on",
-       .checks = {{.name = "centre",
-                   .unit = "radii",
-                   .bound = 1e-12,
-                   .reason = "some hundred steps of tolerance 1e-12; measured 2026-11-30 with 25 seeds: up to 1.0e-13"},
-                  {.name = "inclination",
-                   .unit = "rad",
-                   .bound = 1e-12,
-                   .reason = "some hundred steps of tolerance 1e-12; measured 2026-11-30 with 25 seeds: up to 9.5e-14"},
-                  {.name = "attitude",
-                   .unit = "of the angle turned",
-                   .bound = 1e-12,
-                   .reason = "some hundred steps of tolerance 1e-12; measured 2026-11-30 with 25 seeds: up to 8.4e-14"},
-                  {.name = "phase",
-                   .unit = "of the angle turned",
-                   .bound = 1e-12,
-                   .reason = "some hundred steps of tolerance 1e-12; measured 2026-11-30 with 25 seeds: up to 1.5e-13"},
-                  no_faults()},
+       .checks = {within("centre", 1e-12, "radii",
+                         "some hundred steps of tolerance 1e-12; measured 2026-11-30 with 25 seeds: up to 1.0e-13"),
+                  within("inclination", 1e-12, "rad",
+                         "some hundred steps of tolerance 1e-12; measured 2026-11-30 with 25 seeds: up to 9.5e-14"),
+                  within("attitude", 1e-12, "of the angle turned",
+                         "some hundred steps of tolerance 1e-12; measured 2026-11-30 with 25 seeds: up to 8.4e-14"),
+                  within("phase", 1e-12, "of the angle turned",
+                         "some hundred steps of tolerance 1e-12; measured 2026-11-30 with 25 seeds: up to 1.5e-13"),
+                  none("faults", "faults")},
        .mutants = {{"drop/contact_motion.hpp", "T(-(turn * u.y() + geometry.slope * now.u_rate.y()))",
                     "T(-(turn * u.y()))"},
                    {"drop/carried.hpp", "return spin_rate + formula::dot(a", "return spin_rate - formula::dot(a"},

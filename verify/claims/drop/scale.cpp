@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/samples/drop.hpp"
 #include "verify/stress/scene.hpp"
@@ -165,9 +166,8 @@ Distance changed_by_nudges(Context& context, const Scene& scene, const Drop<doub
 Measurement measure_sizes(Context& context) {
   Checks checks;
   std::vector<double> off;
-  int alike = 0, edges = 0;
-  const int count = context.samples(12, 100);
-  for (int i = 0; i < count; ++i) {
+  int whole = 0, otherwise = 0, edges = 0;
+  for (int i = 0; i < context.samples(12, 100); ++i) {
     Scene scene;
     scene.stone = make_stone(0.022, 0.0092, i % 3 == 0 ? 0.0 : 0.001);
     scene.body = make_rigid_body(mass_properties(scene.stone, Density{2800.0}));
@@ -191,10 +191,13 @@ Measurement measure_sizes(Context& context) {
       const bool rests = other.drop.status == DropStatus::rest || other.drop.status == DropStatus::rest_leaning;
       const bool alike_ended = other.drop.status == usual.drop.status && other.drop.ground == usual.drop.ground;
       see(alike_ended || (usual.drop.lower_order && rests) ? 0.0 : 1.0, "status");
-      edges += usual.drop.lower_order ? 1 : 0;
-      const bool same = has_the_events_of(usual.drop, other.drop);
-      alike += same ? 1 : 0;
-      if (usual.drop.lower_order || !same) {
+      if (usual.drop.lower_order) {
+        ++edges;
+        continue;
+      }
+      ++whole;
+      if (!has_the_events_of(usual.drop, other.drop)) {
+        ++otherwise;
         continue;
       }
       const double w = scene.stone.width, pace = std::sqrt(size);
@@ -204,12 +207,10 @@ Measurement measure_sizes(Context& context) {
       off.push_back(place);
     }
   }
-  // A step that ends elsewhere may make one micro-slip more or less, seldom.
-  checks["status"].see(10 * alike < 9 * 11 * count ? 1.0 : 0.0,
-                       [&] { return fmt::format("{} of {} have the same events", alike, 11 * count); });
+  // A step that ends elsewhere may make one micro-slip more or less.
+  checks["events"].see(100.0 * otherwise / whole, [&] { return fmt::format("{} of {}", otherwise, whole); });
   Measurement result = checks.measurement();
-  result.figures = {{"drops that are the same, event by event; over an edge; of",
-                     fmt::format("{}; {}; {}", alike, edges, 11 * count)},
+  result.figures = {{"drops over an edge, of", fmt::format("{}, {}", edges, whole + edges)},
                     {"place of rest, median", fmt::format("{:.2g} of the width", quantile(off, 0.5))}};
   return result;
 }
@@ -238,16 +239,19 @@ std::vector<Claim> drop_scale_claims() {
        .function = "drop",
        .family = OracleFamily::relation,
        .oracle = "the drop of size 33",
-       .checks = {{.name = "place",
-                   .unit = "of what a start elsewhere by 1e-12 changes",
-                   .bound = 20.0,
-                   .reason = "round-off, and where it moves a step's end the tolerance 1e-9, magnified by the bounces "
-                             "as any nudge is; measured 2026-11-30 with 22 seeds: up to 4.2"},
-                  {.name = "time",
-                   .unit = "of what a start elsewhere by 1e-12 changes",
-                   .bound = 20.0,
-                   .reason = "the same; measured 2026-11-30 with 22 seeds: up to 4"},
-                  no_faults("status")},
+       .checks = {within("place", 20.0, "of what a start elsewhere by 1e-12 changes",
+                         "round-off, and where it moves a step's end the tolerance 1e-9, magnified by the bounces "
+                         "as any nudge is; measured 2026-11-30 with 22 seeds: up to 4.2"),
+                  within("time", 20.0, "of what a start elsewhere by 1e-12 changes",
+                         "the same; measured 2026-11-30 with 22 seeds: up to 4"),
+                  {.name = "events",
+                   .unit = "percent of the drops, not over an edge, that have others",
+                   .bound = 5.0,
+                   .reason = "a step that ends elsewhere may make one micro-slip more or less; measured 2026-11-30: "
+                             "none with 60 seeds, up to 0.3 in the full tier with 4",
+                   .resolution = 1.0,
+                   .counts = true},
+                  none("status", "faults")},
        .mutants = {{"drop/edge_hops.hpp", "T(0.15) / run_.scales.frequency", "T(5e-3)"},
                    {"drop/next_impact.hpp", "const T unit = T(1) / run.scales.frequency;", "const T unit = T(0.03);"}},
        .measure = measure_sizes},

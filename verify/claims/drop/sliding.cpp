@@ -7,6 +7,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/samples/drop.hpp"
 
@@ -14,7 +15,6 @@ namespace goishi::verify {
 
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double tolerance = 1e-12;
 
 /// The axis' lean forward at which friction does not turn a stone that slides: d sin ψ = μ (r − d cos ψ).
@@ -216,20 +216,13 @@ std::vector<Claim> drop_sliding_claims() {
                    .reason =
                        "uniform deceleration has no error of steps; measured 2026-11-30 with 25 seeds: up to 1.4e-15",
                    .resolution = epsilon},
-                  {.name = "steady tilt",
-                   .unit = "rad",
-                   .bound = 2e-16,
-                   .reason = "nothing turns it: some ulps of 2.8e-17; measured 2026-11-30 with 25 seeds: up to 2.0e-17",
-                   .resolution = 2.8e-17},
-                  {.name = "end from flat",
-                   .unit = "relative, of time and place",
-                   .bound = 8e-11,
-                   .reason = "some hundred steps of tolerance 1e-12; measured 2026-11-30 with 25 seeds: up to 1.5e-11"},
-                  {.name = "tilt from flat",
-                   .unit = "rad",
-                   .bound = 1e-10,
-                   .reason = "the same; measured 2026-11-30 with 25 seeds: up to 1.6e-11"},
-                  no_faults()},
+                  within("steady tilt", 2e-16, "rad",
+                         "nothing turns it: some ulps of 2.8e-17; measured 2026-11-30 with 25 seeds: up to 2.0e-17",
+                         2.8e-17),
+                  within("end from flat", 8e-11, "relative, of time and place",
+                         "some hundred steps of tolerance 1e-12; measured 2026-11-30 with 25 seeds: up to 1.5e-11"),
+                  within("tilt from flat", 1e-10, "rad", "the same; measured 2026-11-30 with 25 seeds: up to 1.6e-11"),
+                  none("faults", "faults")},
        .mutants = {{"drop/slip.hpp", "const T p_x = W.xz + brake.x() - mu",
                     "const T p_x = W.xz + brake.x() - T(1000001) / T(1000000) * mu"},
                    {"drop/slip.hpp", "rate.denominator = W.zz + brake.z() - mu",
@@ -242,19 +235,16 @@ std::vector<Claim> drop_sliding_claims() {
        .function = "drop",
        .family = OracleFamily::exact,
        .oracle = "uniform acceleration, in long double",
-       .checks = {{.name = "speed",
-                   .unit = "of what it would be without friction",
-                   .bound = 5e-11,
-                   .reason = "the grip that ends is known to 1e-12 of the weight, and a steady motion has no error of "
-                             "steps; measured 2026-11-30 with 25 seeds: up to 1.3e-11"},
-                  {.name = "place",
-                   .unit = "of what it would be without friction",
-                   .bound = 5e-11,
-                   .reason = "the same; measured 2026-11-30 with 25 seeds: up to 1.3e-11"},
-                  no_faults()},
+       .checks = {within("speed", 5e-11, "of what it would be without friction",
+                         "the grip that ends is known to 1e-12 of the weight, and a steady motion has no error of "
+                         "steps; measured 2026-11-30 with 25 seeds: up to 1.3e-11"),
+                  within("place", 5e-11, "of what it would be without friction",
+                         "the same; measured 2026-11-30 with 25 seeds: up to 1.3e-11"),
+                  none("faults", "faults")},
        .mutants = {{"drop/rolling.hpp", "grip = (body_.friction * force.z()",
                     "grip = (T(1001) / T(1000) * body_.friction * force.z()"},
-                   {"drop/kinetics.hpp", "T(s_x - k.point.x())", "T(T(1000001) / T(1000000) * s_x - k.point.x())"},
+                   {"drop/contact_motion.hpp", "return {T(s_x - now.point.x())",
+                    "return {T(T(1000001) / T(1000000) * s_x - now.point.x())"},
                    {"drop/contact_motion.hpp", "T(-(gravity.x() + along",
                     "T(-(T(1000001) / T(1000000) * gravity.x() + along"}},
        .measure = measure_slope},
@@ -266,17 +256,13 @@ std::vector<Claim> drop_sliding_claims() {
        .function = "woken",
        .family = OracleFamily::exact,
        .oracle = "the balance of the flat stone, uniform acceleration; the one drop",
-       .checks = {{.name = "slide",
-                   .unit = "relative",
-                   .bound = 2e-14,
-                   .reason = "a steady motion has no error of steps; measured 2026-11-30 with 25 seeds: up to 2.2e-15",
-                   .resolution = epsilon},
-                  {.name = "joined",
-                   .unit = "of the height, rad",
-                   .bound = 2e-9,
-                   .reason = "a hundred steps of tolerance 1e-9, taken otherwise in two drops than in one; measured "
-                             "2026-11-30 with 12 seeds: up to 7.9e-10"},
-                  no_faults()},
+       .checks = {within("slide", 2e-14, "relative",
+                         "a steady motion has no error of steps; measured 2026-11-30 with 25 seeds: up to 2.2e-15",
+                         epsilon),
+                  within("joined", 2e-9, "of the height, rad",
+                         "a hundred steps of tolerance 1e-9, taken otherwise in two drops than in one; measured "
+                         "2026-11-30 with 12 seeds: up to 7.9e-10"),
+                  none("faults", "faults")},
        .mutants = {{"drop/statics.hpp", "const T roll = T(1) / (normal * delta)",
                     "const T roll = T(1001) / (T(1000) * normal * delta)"},
                    {"drop/statics.hpp", "scalar::sq(T((mu + round_off_share<T>()) * normal))",

@@ -6,14 +6,13 @@
 #include <array>
 #include <cmath>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/samples/drop.hpp"
 
 namespace goishi::verify {
 
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // --- DROP-7
 
@@ -175,12 +174,10 @@ std::vector<Claim> drop_spin_claims() {
        .function = "drop",
        .family = OracleFamily::exact,
        .oracle = "the formula, in long double",
-       .checks = {{.name = "threshold",
-                   .unit = "relative",
-                   .bound = 4e-5,
-                   .reason = "steps of tolerance 1e-10 on a tilt of 1e-4 take some 4e-5 of it a second, and the rate "
-                             "grows by 3.6 of the spin; measured 2026-11-30 with 12 seeds: up to 1.0e-05"},
-                  no_faults()},
+       .checks = {within("threshold", 4e-5, "relative",
+                         "steps of tolerance 1e-10 on a tilt of 1e-4 take some 4e-5 of it a second, and the rate "
+                         "grows by 3.6 of the spin; measured 2026-11-30 with 12 seeds: up to 1.0e-05"),
+                  none("faults", "faults")},
        .mutants = {{"drop/contact_motion.hpp", "const T along = mobility.axial * momentum",
                     "const T along = T(1001) / T(1000) * mobility.axial * momentum"},
                    {"drop/slip.hpp", "rate.y = rate.N * gained.y() - need.y()",
@@ -194,15 +191,10 @@ std::vector<Claim> drop_spin_claims() {
        .function = "drop",
        .family = OracleFamily::exact,
        .oracle = "m g d D² = J² [I_t r² z + I_a r (d − r z)] by bisection, in long double",
-       .checks = {{.name = "tilt",
-                   .unit = "°",
-                   .bound = 1e-5,
-                   .reason = "what is left of the nutation after 40 s, which slip damps slowly; measured 2026-11-30 "
-                             "with 25 seeds: up to 2.5e-06"},
-                  {.name = "as printed",
-                   .unit = "°",
-                   .bound = 0.5e-3,
-                   .reason = "half a unit of the last digit that is printed"}},
+       .checks = {within("tilt", 1e-5, "°",
+                         "what is left of the nutation after 40 s, which slip damps slowly; measured 2026-11-30 "
+                         "with 25 seeds: up to 2.5e-06"),
+                  within("as printed", 0.5e-3, "°", "half a unit of the last digit that is printed")},
        .mutants = {{"drop/contact_motion.hpp", "const T along = mobility.axial * momentum",
                     "const T along = T(1001) / T(1000) * mobility.axial * momentum"},
                    {"drop/contact_motion.hpp", ".height = formula::cap_support(stone, T(side * eta), radial_square)",
@@ -222,21 +214,15 @@ std::vector<Claim> drop_spin_claims() {
                    .bound = 1e-10,
                    .reason =
                        "some thousand steps of tolerance 1e-12; measured 2026-11-30 with 25 seeds: up to 2.0e-11"},
-                  {.name = "Jellett's integral",
-                   .unit = "relative",
-                   .bound = 2e-11,
-                   .reason = "the same, while it rolls; measured 2026-11-30 with 25 seeds: up to 4.2e-12"},
-                  {.name = "Routh's integral",
-                   .unit = "relative",
-                   .bound = 6e-11,
-                   .reason = "the same; measured 2026-11-30 with 25 seeds: up to 1.1e-11"},
-                  {.name = "energy",
-                   .unit = "relative",
-                   .bound = 2e-15,
-                   .reason = "the integration takes what energy is off out of the velocities: this says that it does, "
-                             "and no more; measured 2026-11-30 with 25 seeds: up to 5.4e-16",
-                   .resolution = epsilon},
-                  no_faults()},
+                  within("Jellett's integral", 2e-11, "relative",
+                         "the same, while it rolls; measured 2026-11-30 with 25 seeds: up to 4.2e-12"),
+                  within("Routh's integral", 6e-11, "relative",
+                         "the same; measured 2026-11-30 with 25 seeds: up to 1.1e-11"),
+                  within("energy", 2e-15, "relative",
+                         "the integration takes what energy is off out of the velocities: this says that it does, "
+                         "and no more; measured 2026-11-30 with 25 seeds: up to 5.4e-16",
+                         epsilon),
+                  none("faults", "faults")},
        .mutants = {{"drop/kinetics.hpp", ": T(0);", ": T(1) / T(1000);"},
                    {"drop/contact_motion.hpp", "along * gyration.z() + swept.z()",
                     "T(1000001) / T(1000000) * along * gyration.z() + swept.z()"},

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <goishi/drop/drop.hpp>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/samples/domain.hpp"
 #include "verify/samples/drop.hpp"
@@ -51,9 +52,7 @@ Drop<T> dropped_in(const Start& start, double tolerance) {
   settings.maximum_impacts = start.settings.maximum_impacts;
   settings.tolerance = as(tolerance);
   const Stone<double>& stone = start.pebble.stone;
-  const double bevel = 2.0 * stone.bevel_minor_radius > 0.0 ? 0.04 * stone.width : 0.0;
-  const Stone<T> cast = bevel > 0.0 ? make_stone(as(stone.width), as(stone.height), as(bevel))
-                                    : make_stone(as(stone.width), as(stone.height));
+  const Stone<T> cast = make_stone(as(stone.width), as(stone.height), as(stone.bevel));
   const RigidBody<T> body = make_rigid_body(mass_properties(cast, Mass<T>{as(0.005)}));
   State<T> state{.p_WB = start.state.p_WB.cast<T>(),
                  .q_WB = start.state.q_WB.cast<T>(),
@@ -123,13 +122,13 @@ Measurement measure_float(Context& context) {
     State<float> after = met_in_float.state;
     after.p_WB = context.produced(after.p_WB);
     const double turned = met.state.L_W.norm() / start.pebble.body.moments.minCoeff() * met.time;
-    checks["first impact"].see(difference(fall, after, met.state), epsilon_in<float> * (10.0 + turned),
+    checks["first impact"].see(difference(fall, after, met.state), epsilon_of<float> * (10.0 + turned),
                                [&] { return fmt::format("fall {}", i); });
     const Long m = start.pebble.body.mass;
     const double speed =
         (context.produced(Vec3<double>(met_in_float.state.v_WB.cast<double>())) - met.state.v_WB).norm() +
         (met_in_float.state.L_W.cast<double>() - met.state.L_W).norm() / (as_double(m) * 0.011);
-    checks["after it"].see(speed, epsilon_in<float> * (10.0 + turned), [&] { return fmt::format("fall {}", i); });
+    checks["after it"].see(speed, epsilon_of<float> * (10.0 + turned), [&] { return fmt::format("fall {}", i); });
   }
   return checks.measurement();
 }
@@ -139,16 +138,11 @@ Measurement measure_float(Context& context) {
 std::vector<Claim> drop_tolerance_claims() {
   std::vector<Check> by_tolerance;
   for (const double tolerance : tolerances) {
-    by_tolerance.push_back({.name = name_of(tolerance),
-                            .unit = "of the tolerance",
-                            .bound = 12.0,
-                            .reason = "measured 2026-11-30 with 40 seeds: up to 6.0"});
+    by_tolerance.push_back(
+        within(name_of(tolerance), 12.0, "of the tolerance", "measured 2026-11-30 with 40 seeds: up to 6.0"));
   }
-  by_tolerance.push_back(
-      {.name = "worst",
-       .unit = "of the tolerance",
-       .bound = 200.0,
-       .reason = "a slip that all but sticks magnifies; measured 2026-11-30 with 40 seeds: up to 100"});
+  by_tolerance.push_back(within("worst", 200.0, "of the tolerance",
+                                "a slip that all but sticks magnifies; measured 2026-11-30 with 40 seeds: up to 100"));
   return {
       {.id = "DROP-29",
        .statement =
@@ -165,18 +159,12 @@ std::vector<Claim> drop_tolerance_claims() {
        .function = "drop (float)",
        .family = OracleFamily::relation,
        .oracle = "the same in double",
-       .checks = {{.name = "contact phase",
-                   .unit = "rad, half widths",
-                   .bound = 0.01,
-                   .reason = "50 of the tolerance, 2e-4; measured 2026-11-30 with 40 seeds: up to 3.8e-3"},
-                  {.name = "first impact",
-                   .unit = "ε (10 + the angle turned), rad and half widths",
-                   .bound = 3.0,
-                   .reason = "the roundings of a flight and an impact; measured 2026-11-30 with 40 seeds: up to 0.9"},
-                  {.name = "after it",
-                   .unit = "m/s, of ε (10 + the angle turned)",
-                   .bound = 3.0,
-                   .reason = "likewise; measured 2026-11-30 with 40 seeds: up to 0.9"}},
+       .checks = {within("contact phase", 0.01, "rad, half widths",
+                         "50 of the tolerance, 2e-4; measured 2026-11-30 with 40 seeds: up to 3.8e-3"),
+                  within("first impact", 3.0, "ε (10 + the angle turned), rad and half widths",
+                         "the roundings of a flight and an impact; measured 2026-11-30 with 40 seeds: up to 0.9"),
+                  within("after it", 3.0, "m/s, of ε (10 + the angle turned)",
+                         "likewise; measured 2026-11-30 with 40 seeds: up to 0.9")},
        .mutants = {},
        .measure = measure_float},
   };

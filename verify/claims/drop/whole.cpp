@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/samples/touching.hpp"
 #include "verify/stress/stress.hpp"
@@ -15,8 +16,6 @@
 namespace goishi::verify {
 
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// A flight and the impact at its end, in long double, by the definitions: a parabola; L constant, the axis turned about
 /// it by |L| t/I_t; the impulse's change of both momenta; v_n⁺ = −e v_n and the cone.
@@ -219,32 +218,22 @@ std::vector<Claim> drop_whole_claims() {
        .family = OracleFamily::integration,
        .oracle = "parabola and Rodrigues' rotation, impulse and momentum, Lagrange's equations by Odeint, near the "
                  "vertical in angles about x; in long double",
-       .checks = {{.name = "flight",
-                   .unit = "of half the width, rad, of the momentum",
-                   .bound = 2e-14,
-                   .reason = "the parabola, the turn and where its time is rounded; measured 2026-11-30 with 12 seeds: "
-                             "up to 4.0e-15",
-                   .resolution = epsilon},
+       .checks = {within("flight", 2e-14, "of half the width, rad, of the momentum",
+                         "the parabola, the turn and where its time is rounded; measured 2026-11-30 with 12 seeds: "
+                         "up to 4.0e-15",
+                         epsilon),
                   {.name = "impact",
                    .unit = "of speed and momentum",
                    .bound = 1.5e-14,
                    .reason =
                        "IMPACT-1, and the round-off of the lever; measured 2026-11-30 with 12 seeds: up to 2.3e-15",
                    .resolution = epsilon},
-                  {.name = "place",
-                   .unit = "of half the width",
-                   .bound = 6e-11,
-                   .reason = "tolerance 1e-12 of the contact phase, magnified by what follows in it; measured "
-                             "2026-11-30 with 12 seeds: up to 1.7e-11"},
-                  {.name = "attitude",
-                   .unit = "rad",
-                   .bound = 1e-10,
-                   .reason = "the same; measured 2026-11-30 with 12 seeds: up to 2.1e-11"},
-                  {.name = "momentum",
-                   .unit = "relative",
-                   .bound = 6e-11,
-                   .reason = "the same; measured 2026-11-30 with 12 seeds: up to 1.1e-11"},
-                  no_faults()},
+                  within("place", 6e-11, "of half the width",
+                         "tolerance 1e-12 of the contact phase, magnified by what follows in it; measured "
+                         "2026-11-30 with 12 seeds: up to 1.7e-11"),
+                  within("attitude", 1e-10, "rad", "the same; measured 2026-11-30 with 12 seeds: up to 2.1e-11"),
+                  within("momentum", 6e-11, "relative", "the same; measured 2026-11-30 with 12 seeds: up to 1.1e-11"),
+                  none("faults", "faults")},
        .mutants = {{"drop/flight_phase.hpp", "push(contact, material_.restitution, EventKind::impact)",
                     "push(contact, T(0), EventKind::impact)"},
                    {"drop/contact_motion.hpp", "T(-(over / (radial * radial)))", "T(over / (radial * radial))"}},
@@ -256,16 +245,12 @@ std::vector<Claim> drop_whole_claims() {
        .function = "drop",
        .family = OracleFamily::relation,
        .oracle = "the same drop at tolerance 1e-11",
-       .checks = {{.name = "nine in ten",
-                   .unit = "m",
-                   .bound = 5e-8,
-                   .reason = "the 90 % quantile, of a bar of 1e-7 for the median; measured 2026-11-30 with 22 seeds: "
-                             "up to 8.3e-09"},
-                  {.name = "worst",
-                   .unit = "m",
-                   .bound = 3e-7,
-                   .reason = "bounces and onsets of slip magnify some drops a hundredfold; measured 2026-11-30 with 22 "
-                             "seeds: up to 6.5e-08"}},
+       .checks = {within("nine in ten", 5e-8, "m",
+                         "the 90 % quantile, of a bar of 1e-7 for the median; measured 2026-11-30 with 22 seeds: "
+                         "up to 8.3e-09"),
+                  within("worst", 3e-7, "m",
+                         "bounces and onsets of slip magnify some drops a hundredfold; measured 2026-11-30 with 22 "
+                         "seeds: up to 6.5e-08")},
        .mutants = {{"drop/integrator.hpp", "const T small = at_least(T(1e-12),", "const T small = at_least(T(1e-4),"}},
        .measure = measure_tolerance},
       {.id = "DROP-20",
@@ -275,9 +260,7 @@ std::vector<Claim> drop_whole_claims() {
        .function = "drop",
        .family = OracleFamily::invariant,
        .oracle = "the stress test's judge: gaps along flights and at events, energy at events, rest that lasts",
-       .checks =
-           {{.name = "random", .unit = "faults", .bound = 0.0, .reason = "there must be none", .counts = true},
-            {.name = "once wrong", .unit = "faults", .bound = 0.0, .reason = "there must be none", .counts = true}},
+       .checks = {none("random", "faults"), none("once wrong", "faults")},
        .mutants = {{"drop/next_impact.hpp", "if (hit.status != ImpactStatus::overlapping && T(0) < until) {",
                     "if (false) {"}},
        .measure = measure_stress},

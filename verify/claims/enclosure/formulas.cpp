@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/oracles/numbers/ball.hpp"
 #include "verify/oracles/numbers/multiprecision.hpp"
@@ -105,9 +106,7 @@ std::vector<Claim> enclosure_claims() {
        .function = "goishi::formula, every scalar",
        .family = OracleFamily::rounding,
        .oracle = "Boost.Multiprecision, 50 digits, ± 1e-45 for its own roundings",
-       .checks = {{.unit = "enclosures missed",
-                   .bound = 0.0,
-                   .reason = "an enclosure meets the 50-digit value or it does not"}},
+       .checks = {within("", 0.0, "enclosures missed", "an enclosure meets the 50-digit value or it does not")},
        .mutants = {},
        .measure = measure_containment},
       {.id = "ENCLOSURE-2",

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/samples/domain.hpp"
 #include "verify/samples/impact.hpp"
@@ -88,7 +89,7 @@ Impulse<T> impulse_of(const Met<T>& met, ImpactLaw law) {
 /// Of impulses: how they differ, where a round-off of the velocities at the contact counts as what it makes.
 template <class T>
 double allowed(const Meeting& meeting) {
-  return epsilon_in<T> * meeting.scale * static_cast<double>(meeting.W.trace() * meeting.W.inverse().trace()) *
+  return epsilon_of<T> * meeting.scale * static_cast<double>(meeting.W.trace() * meeting.W.inverse().trace()) *
          static_cast<double>(meeting.W.inverse().trace());
 }
 
@@ -173,26 +174,20 @@ std::vector<Claim> domain_impact_claims() {
        .family = OracleFamily::relation,
        .oracle = "the same impact in other units; in double; rounded otherwise",
        .checks =
-           {{.name = "units",
-             .unit = "ε of the velocity, as an impulse, times the condition of W and of the cone",
-             .bound = 1.0,
-             .reason = "some ten roundings, of which the condition counts few; measured 2026-11-30 with 26 seeds: up "
-                       "to 0.26"},
-            {.name = "energy",
-             .unit = "ε of the velocity, as an impulse, times the condition of W and of the cone",
-             .bound = 1.0,
-             .reason = "some ten roundings, of which the condition counts few; measured 2026-11-30 with 26 seeds: up "
-                       "to 0.26"},
+           {within("units", 1.0, "ε of the velocity, as an impulse, times the condition of W and of the cone",
+                   "some ten roundings, of which the condition counts few; measured 2026-11-30 with 26 seeds: up "
+                   "to 0.26"),
+            within("energy", 1.0, "ε of the velocity, as an impulse, times the condition of W and of the cone",
+                   "some ten roundings, of which the condition counts few; measured 2026-11-30 with 26 seeds: up "
+                   "to 0.26"),
             {.name = "float",
              .unit = "ε of the velocity, as an impulse, times the condition of W and of the cone",
              .bound = 1.5,
              .reason =
                  "some ten roundings, of which the condition counts few; measured 2026-11-30 with 26 seeds: up to 0.2"},
-            {.name = "rounding",
-             .unit = "ε of the velocity, as an impulse, times the condition of W and of the cone",
-             .bound = 3.0,
-             .reason = "the same, all to one side; measured 2026-11-30 with 26 seeds: up to 0.99"},
-            no_faults("refused")},
+            within("rounding", 3.0, "ε of the velocity, as an impulse, times the condition of W and of the cone",
+                   "the same, all to one side; measured 2026-11-30 with 26 seeds: up to 0.99"),
+            none("refused", "faults")},
        .mutants = {{"impact/chatterjee_ruina.hpp", "least < approach && approach * least < T(1) && ", ""},
                    {"impact/chatterjee_ruina.hpp", " && least < mobility && mobility * least < T(1)", ""},
                    {"impact/laws.hpp", "const ContactMatrix<T> W = units.of(c.W);", "const ContactMatrix<T> W = c.W;"}},

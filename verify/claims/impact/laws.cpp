@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/samples/impact.hpp"
 
 namespace goishi::verify {
 
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 double as_double(long double value) {
   return static_cast<double>(value);
@@ -222,12 +221,11 @@ std::vector<Claim> impact_claims() {
        .function = "resolve (impact)",
        .family = OracleFamily::exact,
        .oracle = "velocities of the contact before and after, from full tensors in long double",
-       .checks = {{.unit = "of the contact's velocity, centre and spin added up",
-                   .bound = 1e-14,
-                   .reason = "some ten roundings of a product of condition up to 7, the greatest eigenvalue of m W of "
-                             "a lens; measured "
-                             "2026-11-22",
-                   .resolution = epsilon}},
+       .checks = {within("", 1e-14, "of the contact's velocity, centre and spin added up",
+                         "some ten roundings of a product of condition up to 7, the greatest eigenvalue of m W of "
+                         "a lens; measured "
+                         "2026-11-22",
+                         epsilon)},
        .mutants = {{"impact/impulses.hpp", "-((T(1) + restitution) * approach)", "-((T(1) - restitution) * approach)"},
                    {"impact/impulses.hpp", "(T(1) + restitution - kappa) * plastic", "(T(1) - kappa) * plastic"},
                    {"impact/contact_matrix.hpp", "T(cx * c.y() - t * (r_W.x() * r_W.y()))",
@@ -242,25 +240,15 @@ std::vector<Claim> impact_claims() {
        .function = "resolve (two bodies)",
        .family = OracleFamily::invariant,
        .oracle = "momenta of both in long double; the same impact the other way round",
-       .checks = {{.name = "momentum",
-                   .unit = "of the momenta and the impulse together",
-                   .bound = 1e-15,
-                   .reason = "each momentum is rounded a few times; measured 2026-11-30 with 26 seeds: up to 3.8e-16",
-                   .resolution = epsilon},
-                  {.name = "angular momentum",
-                   .unit = "of the momenta and the impulse together",
-                   .bound = 1e-15,
-                   .reason = "the same; measured 2026-11-30 with 26 seeds: up to 1.1e-16",
-                   .resolution = epsilon},
-                  {.name = "impulse",
-                   .unit = "of the momenta and the impulse together",
-                   .bound = 1e-15,
-                   .reason = "the same; measured 2026-11-30 with 26 seeds: up to 3.1e-16",
-                   .resolution = epsilon},
-                  {.name = "exchanged",
-                   .unit = "of the momenta and the impulse together",
-                   .bound = 0.0,
-                   .reason = "the same sums, the other way round"}},
+       .checks = {within("momentum", 1e-15, "of the momenta and the impulse together",
+                         "each momentum is rounded a few times; measured 2026-11-30 with 26 seeds: up to 3.8e-16",
+                         epsilon),
+                  within("angular momentum", 1e-15, "of the momenta and the impulse together",
+                         "the same; measured 2026-11-30 with 26 seeds: up to 1.1e-16", epsilon),
+                  within("impulse", 1e-15, "of the momenta and the impulse together",
+                         "the same; measured 2026-11-30 with 26 seeds: up to 3.1e-16", epsilon),
+                  within("exchanged", 0.0, "of the momenta and the impulse together",
+                         "the same sums, the other way round")},
        .mutants = {{"impact/body.hpp", ".L_W = formula::plus(body.L_W, formula::cross(r_W, impulse_W))",
                     ".L_W = formula::plus(body.L_W, formula::cross(impulse_W, r_W))"},
                    {"impact/laws.hpp", "formula::scaled(T(-1), result.impulse.impulse_W)", "result.impulse.impulse_W"},
@@ -280,11 +268,8 @@ std::vector<Claim> impact_claims() {
              .reason =
                  "twice IMPACT-1's bound, since energy is a square; measured 2026-11-30 with 26 seeds: up to 2.4e-15",
              .resolution = epsilon},
-            {.name = "without friction",
-             .unit = "of the energy before",
-             .bound = 5e-15,
-             .reason = "the same; measured 2026-11-30 with 26 seeds: up to 1.6e-15",
-             .resolution = epsilon}},
+            within("without friction", 5e-15, "of the energy before",
+                   "the same; measured 2026-11-30 with 26 seeds: up to 1.6e-15", epsilon)},
        .mutants = {{"impact/impulses.hpp", "formula::plus(before, after)) / T(2)", "formula::plus(before, after))"},
                    {"impact/impulses.hpp", "formula::plus(before, after)", "formula::minus(before, after)"},
                    {"impact/body.hpp", "(moments.transverse - moments.axial)", "(moments.axial - moments.transverse)"},
@@ -297,13 +282,11 @@ std::vector<Claim> impact_claims() {
        .function = "resolve (impact)",
        .family = OracleFamily::invariant,
        .oracle = "energies of the bodies before and after, from full tensors in long double",
-       .checks = {{.name = "gain",
-                   .unit = "of the energy before",
-                   .bound = 1e-14,
-                   .reason = "round-off, as in IMPACT-3: with e = 1 and no friction the energy stays; measured "
-                             "2026-11-30 with 26 seeds: up to 1.1e-15",
-                   .resolution = epsilon},
-                  no_faults("given up")},
+       .checks = {within("gain", 1e-14, "of the energy before",
+                         "round-off, as in IMPACT-3: with e = 1 and no friction the energy stays; measured "
+                         "2026-11-30 with 26 seeds: up to 1.1e-15",
+                         epsilon),
+                  none("given up", "faults")},
        .mutants = {{"impact/impulses.hpp", "-(slip / tangential_mobility)", "-(T(3) * slip / tangential_mobility)"},
                    {"impact/chatterjee_ruina.hpp", "sticks ? T(1) :", "sticks ? T(3) :"},
                    {"impact/stronge.hpp", "given_back_(scalar::sq(c.restitution))",
@@ -321,32 +304,21 @@ std::vector<Claim> impact_claims() {
        .family = OracleFamily::invariant,
        .oracle = "Coulomb's law on the impulse and the velocities, the contact matrix from full tensors in long double",
        .checks =
-           {{.name = "cone",
-             .unit = "of the impulse",
-             .bound = 6e-15,
-             .reason = "IMPACT-1, and the condition of W once more; Stronge's law, which is integrated, counts a "
-                       "tenth; measured 2026-11-30 with 26 seeds: up to 1.1e-15",
-             .resolution = epsilon},
-            {.name = "approach",
-             .unit = "of the velocity",
-             .bound = 4e-15,
-             .reason = "the same; measured 2026-11-30 with 26 seeds: up to 8.0e-16",
-             .resolution = epsilon},
+           {within("cone", 6e-15, "of the impulse",
+                   "IMPACT-1, and the condition of W once more; Stronge's law, which is integrated, counts a "
+                   "tenth; measured 2026-11-30 with 26 seeds: up to 1.1e-15",
+                   epsilon),
+            within("approach", 4e-15, "of the velocity", "the same; measured 2026-11-30 with 26 seeds: up to 8.0e-16",
+                   epsilon),
             {.name = "approach of the published law",
              .unit = "of the velocity",
              .bound = 1e-9,
              .reason =
                  "it goes round until 1e-9 of the approach is left; measured 2026-11-30 with 26 seeds: up to 9.9e-10"},
-            {.name = "direction",
-             .unit = "of velocity and impulse",
-             .bound = 1e-15,
-             .reason = "as the cone; measured 2026-11-30 with 26 seeds: up to 2.0e-16",
-             .resolution = epsilon},
-            {.name = "slip of what sticks",
-             .unit = "of the velocity",
-             .bound = 1e-14,
-             .reason = "the same; measured 2026-11-30 with 26 seeds: up to 2.4e-15",
-             .resolution = epsilon}},
+            within("direction", 1e-15, "of velocity and impulse",
+                   "as the cone; measured 2026-11-30 with 26 seeds: up to 2.0e-16", epsilon),
+            within("slip of what sticks", 1e-14, "of the velocity",
+                   "the same; measured 2026-11-30 with 26 seeds: up to 2.4e-15", epsilon)},
        .mutants = {{"impact/published.hpp", "const T limit = -(c.friction * j)",
                     "const T limit = -(T(2) * c.friction * j)"},
                    {"impact/published.hpp", "const bool slides = stopping < limit",

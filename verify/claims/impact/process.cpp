@@ -6,14 +6,13 @@
 #include <cmath>
 #include <vector>
 
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/samples/impact.hpp"
 
 namespace goishi::verify {
 
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 double as_double(long double value) {
   return static_cast<double>(value);
@@ -267,11 +266,10 @@ std::vector<Claim> impact_process_claims() {
        .function = "resolve, stronge",
        .family = OracleFamily::exact,
        .oracle = "the pieces in closed form, in long double",
-       .checks = {{.unit = "of the contact's velocity, centre and spin added up",
-                   .bound = 1.5e-13,
-                   .reason = "round-off of a grazing impact: approach speeds from 1e-3 of the velocity up; measured "
-                             "2026-11-30 with 26 seeds: up to 1.8e-14",
-                   .resolution = epsilon}},
+       .checks = {within("", 1.5e-13, "of the contact's velocity, centre and spin added up",
+                         "round-off of a grazing impact: approach speeds from 1e-3 of the velocity up; measured "
+                         "2026-11-30 with 26 seeds: up to 1.8e-14",
+                         epsilon)},
        .mutants = {{"impact/stronge.hpp", "T(1) / (W_.xx + W_.yy + W_.zz / c.friction)",
                     "T(1) / (W_.xx + W_.yy + T(2) * W_.zz / c.friction)"},
                    {"impact/stronge.hpp", "needed <= friction_", "needed <= friction_ * T(2)"},
@@ -293,10 +291,8 @@ std::vector<Claim> impact_process_claims() {
                    .reason =
                        "the witness changes by 15 times its error when its steps are doubled; 1e-11 is what 64 ε in "
                        "the direction of the slip can grow to; measured 2026-11-30 with 26 seeds: up to 0.068"},
-                  {.name = "work",
-                   .unit = "of 1e-11 and the witness's own error",
-                   .bound = 0.5,
-                   .reason = "the same; measured 2026-11-30 with 26 seeds: up to 0.076"}},
+                  within("work", 0.5, "of 1e-11 and the witness's own error",
+                         "the same; measured 2026-11-30 with 26 seeds: up to 0.076")},
        .mutants = {{"impact/stronge.hpp", "T(-against * v.x()), T(-against * v.y())",
                     "T(-against * v.x()), T(-against * v.x())"},
                    {"impact/stronge.hpp", "- speed[i] * speed[k + 1 - i]", "+ speed[i] * speed[k + 1 - i]"},
@@ -312,17 +308,15 @@ std::vector<Claim> impact_process_claims() {
        .function = "resolve, chatterjee_ruina",
        .family = OracleFamily::integration,
        .oracle = "Stronge's law by integration of the impact",
-       .checks = {{.name = "median",
-                   .unit = "of the impulse",
-                   .bound = 0.08,
-                   .reason = "two laws, of nine materials; measured 2026-11-30 with 12 seeds: up to 0.050"},
+       .checks = {within("median", 0.08, "of the impulse",
+                         "two laws, of nine materials; measured 2026-11-30 with 12 seeds: up to 0.050"),
                   {.name = "ball",
                    .unit = "of the momentum at 1 m/s",
                    .bound = 5e-15,
                    .reason =
                        "W does not couple: one law, and round-off; measured 2026-11-30 with 12 seeds: up to 1.1e-15",
                    .resolution = epsilon},
-                  no_faults()},
+                  none("faults", "faults")},
        .mutants = {{"impact/chatterjee_ruina.hpp", "T(-sticking_normal)", "sticking_normal"},
                    {"impact/chatterjee_ruina.hpp", "const T needed = along *", "const T needed = T(2) * along *"}},
        .measure = measure_default},

@@ -75,13 +75,13 @@ void see_tensors(Context& context, Checks& checks, int count) {
     const Digits50 trace = exact.trace();
     const Digits50 off = Wide(exact * R - R * moments.asDiagonal()).cwiseAbs().maxCoeff() / trace;
     const Digits50 turned = Wide(R.transpose() * R - Wide::Identity()).cwiseAbs().maxCoeff();
-    checks["residual"].see(static_cast<double>(off), epsilon_in<T>, describe_it);
-    checks["rotation"].see(static_cast<double>(turned), epsilon_in<T>, describe_it);
+    checks["residual"].see(static_cast<double>(off), epsilon_of<T>, describe_it);
+    checks["rotation"].see(static_cast<double>(turned), epsilon_of<T>, describe_it);
     Vec3<T> expected = sample.shares * (sample.trace / sample.shares.sum());
     std::sort(expected.data(), expected.data() + 3);
     const Vec3<Digits50> apart = moments - expected.template cast<Digits50>();
     checks["moments"].see(static_cast<double>(Digits50(apart.cwiseAbs().maxCoeff() / Digits50(sample.trace))),
-                          epsilon_in<T>, describe_it);
+                          epsilon_of<T>, describe_it);
     const bool ascending = answer->moments[0] <= answer->moments[1] && answer->moments[1] <= answer->moments[2];
     see_choice(checks["order"], ascending && R.determinant() > 0, describe_it);
     // In other units, the same digits.

@@ -10,6 +10,7 @@
 
 #include "verify/certify/printed.hpp"
 #include "verify/certify/witness.hpp"
+#include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/oracles/numbers/ball.hpp"
 
@@ -127,9 +128,7 @@ std::vector<Claim> table_claims() {
        .function = "inertia_table",
        .family = OracleFamily::rounding,
        .oracle = arb,
-       .checks = {{.unit = "entries not proved",
-                   .bound = 0.0,
-                   .reason = "an entry is the nearest double or it is not"}},
+       .checks = {within("", 0.0, "entries not proved", "an entry is the nearest double or it is not")},
        .mutants = {{"mass/inertia_table.hpp", "0.0051815133771277826", "0.005181513377127782"}},
        .measure = nearest_to(closed_forms)},
       {.id = "TABLE-2",
@@ -137,7 +136,7 @@ std::vector<Claim> table_claims() {
        .function = "inertia_table",
        .family = OracleFamily::exact,
        .oracle = "the catalogue",
-       .checks = {{.unit = "rows", .bound = 0.0, .reason = "counted"}},
+       .checks = {within("", 0.0, "rows", "counted")},
        .mutants = {{"mass/inertia_table.hpp", "{33, StoneColor::white", "{33, StoneColor::black"}},
        .measure = measure_rows},
       {.id = "TABLE-3",
@@ -161,9 +160,7 @@ std::vector<Claim> table_claims() {
        .function = "inertia_table",
        .family = OracleFamily::quadrature,
        .oracle = "Arb's rigorous integration of the profile",
-       .checks = {{.unit = "entries not proved",
-                   .bound = 0.0,
-                   .reason = "an entry is the nearest double or it is not"}},
+       .checks = {within("", 0.0, "entries not proved", "an entry is the nearest double or it is not")},
        .mutants = {{"mass/inertia_table.hpp", "1.843023970534333e-06", "1.8430239705343332e-06"}},
        .measure = nearest_to(certify::witness_of)},
   };

@@ -65,7 +65,7 @@ void see_rows(Context& context, Checks& checks, int count) {
       return result;
     });
     const Digits3 n = row.plane.n_W.template cast<Digits50>();
-    const double defect = std::fabs(static_cast<double>(Digits50(n.squaredNorm() - 1))) / epsilon_in<T>;
+    const double defect = std::fabs(static_cast<double>(Digits50(n.squaredNorm() - 1))) / epsilon_of<T>;
     for (std::size_t k = 0; k < size; ++k) {
       const Stone<Digits50> stone = stone_cast<Digits50>(row.stones[k]);
       const Digits3 p = row.poses[k].p_WB.template cast<Digits50>(), unit = n.normalized();
@@ -77,7 +77,7 @@ void see_rows(Context& context, Checks& checks, int count) {
       const double off = std::isfinite(gap)
                              ? static_cast<double>(Digits50(abs(Digits50(context.produced(gap)) - exact) / scale))
                              : NAN;
-      checks["gaps"].see(off, epsilon_in<T> * (1.0 + defect), [&] {
+      checks["gaps"].see(off, epsilon_of<T> * (1.0 + defect), [&] {
         const Pose<T>& at = row.poses[k];
         return fmt::format(
             "stone {} of {}: w = {:a}, h = {:a}, p = ({:a}, {:a}, {:a}), q = ({:a}, {:a}, {:a}, {:a}), n = "

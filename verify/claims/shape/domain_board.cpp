@@ -121,7 +121,7 @@ void see_regions(Context& context, Checks& checks, const Board<T>& board, int i)
   bool close = false, beyond = p.z() > reach;
   const auto side = [&](const T& at, const T& half) {
     const Digits50 x = abs(Digits50(at)), h(half), r(reach);
-    const Digits50 round_off = 2 * Digits50(epsilon_in<T>) * (h + r) + Digits50(std::numeric_limits<T>::denorm_min());
+    const Digits50 round_off = 2 * Digits50(epsilon_of<T>) * (h + r) + Digits50(std::numeric_limits<T>::denorm_min());
     close = close || abs(x - (h + r)) <= round_off || abs(x - (h - r)) <= round_off;
     beyond = beyond || x > h + r;
     return x > h - r ? (at < T(0) ? -1 : 1) : 0;
@@ -242,7 +242,7 @@ Slab exact_slab(const Digits3& low, const Digits3& high, const Vec3<T>& p, const
 
 template <class T>
 Digits50 ulp_at(const Digits50& x) {
-  return std::max(Digits50(abs(x) * Digits50(epsilon_in<T>)), Digits50(std::numeric_limits<T>::denorm_min()));
+  return std::max(Digits50(abs(x) * Digits50(epsilon_of<T>)), Digits50(std::numeric_limits<T>::denorm_min()));
 }
 
 /// Whether an answer says what its entry and exit do: the first ahead, the face's normal, a place on the face.

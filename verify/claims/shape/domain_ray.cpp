@@ -73,8 +73,8 @@ void see_ray(const Context& context, Checks& checks, const Stone<T>& stone, cons
   const Stone<Long> wide = stone_cast<Long>(stone);
   const Digits3 middle = p - Digits3(Digits50(p.dot(u) / u.squaredNorm()) * u);
   const Long width = outer_width(wide), far = width + static_cast<Long>(ray.p.template cast<Long>().norm());
-  const Long off_line = static_cast<Long>(epsilon_in<T>) * (ray.exact ? width : far),
-             off = static_cast<Long>(epsilon_in<T>) * far;
+  const Long off_line = static_cast<Long>(epsilon_of<T>) * (ray.exact ? width : far),
+             off = static_cast<Long>(epsilon_of<T>) * far;
   const Digits50 length = middle.norm();
   const Long least = length > Digits50(2 * width) ? static_cast<Long>(length) - width
                                                   : least_distance(wide, Long3(middle.cast<Long>()),
@@ -120,7 +120,7 @@ void see_ray(const Context& context, Checks& checks, const Stone<T>& stone, cons
       off_line, "off the line");
   see("hit point", static_cast<Long>(Digits50((there - place(answer->first)).norm())), off, "off the first");
   see("normal", std::fabs(static_cast<Long>(context.produced(answer->surface.normal_B.norm())) - 1),
-      static_cast<Long>(epsilon_in<T>), "normal");
+      static_cast<Long>(epsilon_of<T>), "normal");
 }
 
 template <class T>

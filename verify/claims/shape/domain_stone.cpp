@@ -162,7 +162,7 @@ void see_tensors(Context& context, Checks& checks, int count) {
     }
     const Mat3<Digits50> computed = answer->template cast<Digits50>() * Digits50(context.produced(1.0));
     const Digits50 off = (computed - exact).cwiseAbs().maxCoeff() / (trace + Digits50(std::numeric_limits<T>::min()));
-    checks["tensor"].see(static_cast<double>(off), epsilon_in<T>, describe);
+    checks["tensor"].see(static_cast<double>(off), epsilon_of<T>, describe);
   }
 }
 
@@ -213,14 +213,14 @@ void see_surfaces(Context& context, Checks& checks, int count) {
     if (answer && holds<T>(Digits50(size * size))) {
       const SurfacePoint<Digits50> exact = closest_point(wide, wide_p);
       const Digits50 distance = factor * Digits50(answer->distance);
-      see("distance", Digits50(abs(distance - exact.distance) / size), epsilon_in<T>, describe_point);
+      see("distance", Digits50(abs(distance - exact.distance) / size), epsilon_of<T>, describe_point);
       const Vec3<Digits50> normal = factor * answer->normal_B.template cast<Digits50>();
       if (answer->unique && exact.unique && abs(exact.distance) < wide.width) {
         // Where it is, if the distance alone does not say: on its normal, and as far.
         const Vec3<Digits50> back = answer->p_B.template cast<Digits50>() + distance * normal;
-        see("closest point", Digits50((back - wide_p).norm() / size), epsilon_in<T>, describe_point);
+        see("closest point", Digits50((back - wide_p).norm() / size), epsilon_of<T>, describe_point);
       }
-      see("normal", Digits50(abs(normal.squaredNorm() - 1)), 2.0 * epsilon_in<T>, describe_point);
+      see("normal", Digits50(abs(normal.squaredNorm() - 1)), 2.0 * epsilon_of<T>, describe_point);
     }
     // Directions: along axes to the bit, any, off the unit sphere.
     const std::array<Vec3<T>, 4> directions = {Vec3<T>(zero, zero, T(1)), Vec3<T>(T(-1), zero, zero),
@@ -239,7 +239,7 @@ void see_surfaces(Context& context, Checks& checks, int count) {
     }
     const Digits50 value = support(wide, wide_n).value;
     const Digits50 there = wide_n.dot(Vec3<Digits50>(factor * found->p_B.template cast<Digits50>()));
-    const double allowed = epsilon_in<T> * (1.0 + std::abs(defect));
+    const double allowed = epsilon_of<T> * (1.0 + std::abs(defect));
     see("support", Digits50(abs(factor * Digits50(found->value) - value) / wide.width), allowed, describe_direction);
     see("support", Digits50(abs(there - value) / wide.width), allowed, describe_direction);
   }
