@@ -47,8 +47,8 @@ const std::string spins = "rad/s";
 const std::string angles = "°, deg";
 const std::string densities = "kg/m³, g/cm³";
 const std::string masses = "kg, g, mg";
-const std::string moments = "kg m², g cm²";
-const std::string times = "s, ms";
+const std::string moment_units = "kg m², g cm²";
+const std::string time_units = "s, ms";
 const std::string sizes = "must be one of 22 25 28 30 31 32 33 34 35 36 37 38 39 40";
 
 /// Every option of every command that takes numbers.
@@ -65,12 +65,12 @@ std::vector<Place> places() {
       place("table --density @", "2700", densities),
       place(lens + "@", "1", lengths),
       place("inertia --width 1 --height @", "1", lengths),
-      place(turn + "--transverse 1 --axial @", "1", moments),
-      place(turn + "--axial 1 --transverse @", "1", moments),
+      place(turn + "--transverse 1 --axial @", "1", moment_units),
+      place(turn + "--axial 1 --transverse @", "1", moment_units),
       place("spin --size 33 --time 1 --spin 1,@,3", "2", spins, 3),
-      place("spin --size 33 --spin 1,2,3 --time @", "2", times),
+      place("spin --size 33 --spin 1,2,3 --time @", "2", time_units),
       place(turning + "--attitude 0,@,0,0", "1", "", 4),
-      place(turning + "--method published --step @", "1", times),
+      place(turning + "--method published --step @", "1", time_units),
       whole(turning + "--series @", "3", rows),
       place("contact --size 33 --position @,0,1", "2", lengths, 3),
       place(pose + "--height 1 --width @", "1", lengths),
@@ -80,7 +80,7 @@ std::vector<Place> places() {
       place(fly + "--velocity 0,0,@", "2", velocities, 3),
       place(fly + "--spin @,0,1", "2", spins, 3),
       place(fly + "--spin 1,0,1 --gravity @", "2", accelerations),
-      place(there + "--spin 1,0,1 --horizon @", "2", times),
+      place(there + "--spin 1,0,1 --horizon @", "2", time_units),
       place(other + "0,@,0", "2", lengths, 3),
       place(other + "0,0,0 --other-attitude 0,@,0,0", "1", "", 4),
       place(start + "--height 1mm --width @", "2", lengths),
@@ -100,7 +100,7 @@ std::vector<Place> places() {
       place(drop + "--gravity @", "2", accelerations),
       place(drop + "--gravity 0,@,-9", "2", accelerations, 3),
       place(drop + "--tolerance @", "0", ""),
-      {"drop --size 33 --from 5cm --until @", "1", until, times},
+      {"drop --size 33 --from 5cm --until @", "1", until, time_units},
       whole("drop --size 33 --from 5cm --until @-impacts", "2", until),
       whole(drop + "--csv /dev/null --series @", "3", rows),
   };

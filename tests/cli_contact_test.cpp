@@ -28,7 +28,7 @@ std::string value_of(const std::string& json, const std::string& key) {
   return std::regex_search(json, member, pattern) ? member[1].str() : "no such key";
 }
 
-std::vector<double> numbers_of(const std::string& json, const std::string& key) {
+std::vector<double> values_of(const std::string& json, const std::string& key) {
   const std::string value = value_of(json, key);
   const std::regex number("-?[0-9][-+.e0-9]*");
   std::vector<double> numbers;
@@ -41,7 +41,7 @@ std::vector<double> numbers_of(const std::string& json, const std::string& key) 
 /// The same separation, to 1e-12 of the width (CONTACT-4) where it is not sharper.
 void expect_same(const std::string& json, const Separation<double>& expected) {
   const auto expect_vector = [&](const std::string& key, const Vec3<double>& v, double error) {
-    const std::vector<double> numbers = numbers_of(json, key);
+    const std::vector<double> numbers = values_of(json, key);
     ASSERT_EQ(numbers.size(), 3U) << json;
     for (int i = 0; i < 3; ++i) {
       EXPECT_NEAR(numbers[static_cast<std::size_t>(i)], v[i], error) << key;
@@ -49,7 +49,7 @@ void expect_same(const std::string& json, const Separation<double>& expected) {
   };
   EXPECT_EQ(value_of(json, "status"), "\"" + std::string(to_string(expected.status)) + "\"");
   EXPECT_EQ(value_of(json, "feature"), "\"" + std::string(to_string(expected.feature)) + "\"");
-  EXPECT_NEAR(numbers_of(json, "gap").at(0), expected.gap, 0.022e-12);
+  EXPECT_NEAR(values_of(json, "gap").at(0), expected.gap, 0.022e-12);
   expect_vector("normal", expected.n_W, 1e-9);
   expect_vector("point_on_stone", expected.p_stone, 0.022e-9);
   expect_vector("point_on_other", expected.p_other, 0.022e-9);
@@ -150,11 +150,11 @@ TEST_F(CliContact, TheBoardIsTheRealOneUnlessLinesAreGiven) {
 TEST_F(CliContact, TheTimeOfAFlatDrop) {
   const Words drop = {"--position", "0,0,0.1", "--velocity", "0,0,0", "--horizon", "1"};
   // 0.1 − 0.0046 = g t²/2; the speed is 1.4 m/s, the gap's round-off below 1e-17 m.
-  EXPECT_NEAR(numbers_of(json(drop), "time_of_impact").at(0), std::sqrt(2 * 0.0954 / 9.80665), 1e-16);
+  EXPECT_NEAR(values_of(json(drop), "time_of_impact").at(0), std::sqrt(2 * 0.0954 / 9.80665), 1e-16);
   EXPECT_EQ(value_of(json(drop), "impact_status"), "\"hit\"");
   EXPECT_EQ(value_of(json({"--position", "0,0,0.1"}), "impact_status"), "no such key");
   const Words weaker = drop + Words{"--gravity", "1.6", "--against", "plane"};
-  EXPECT_NEAR(numbers_of(json(weaker), "time_of_impact").at(0), std::sqrt(2 * 0.0954 / 1.6), 1e-16);
+  EXPECT_NEAR(values_of(json(weaker), "time_of_impact").at(0), std::sqrt(2 * 0.0954 / 1.6), 1e-16);
 }
 
 TEST_F(CliContact, TheTimeIsNullWithoutAHit) {
@@ -180,16 +180,16 @@ TEST_F(CliContact, ATurningStoneAgreesWithTheLibrary) {
   const Words flight = {"--position", "0,0,0.05", "--attitude", "0.8,0,0.6,0", "--velocity",
                         "0.1,0,-0.5", "--spin",   "30,-10,50",  "--horizon",   "1"};
   const double expected = time_of_impact(stone, path, make_board<double>(), 1.0).time;
-  EXPECT_NEAR(numbers_of(json(flight), "time_of_impact").at(0), expected, 1e-14);
+  EXPECT_NEAR(values_of(json(flight), "time_of_impact").at(0), expected, 1e-14);
   const Words plane = flight + Words{"--against", "plane"};
-  EXPECT_NEAR(numbers_of(json(plane), "time_of_impact").at(0), expected, 1e-14);
+  EXPECT_NEAR(values_of(json(plane), "time_of_impact").at(0), expected, 1e-14);
 }
 
 TEST_F(CliContact, TheOtherStoneStaysWhereItIs) {
   // Coaxial, 0.1 − 0.0092 apart at 1 m/s.
   const std::string answer = json({"--position", "0,0,0.1", "--against", "stone", "--other-position", "0,0,0",
                                    "--velocity", "0,0,-1", "--spin", "0,0,40", "--gravity", "0", "--horizon", "1"});
-  EXPECT_NEAR(numbers_of(answer, "time_of_impact").at(0), 0.0908, 1e-14);
+  EXPECT_NEAR(values_of(answer, "time_of_impact").at(0), 0.0908, 1e-14);
 }
 
 // --- text

@@ -17,7 +17,7 @@ using Real3 = Triple<Real>;
 
 constexpr Real g = 9.80665L;
 constexpr Real3 up = {0, 0, 1};
-constexpr Real3 across = {1, 0, 0};
+constexpr Real3 east = {1, 0, 0};
 
 /// w × h with bevel b, at p, its axis along u.
 Standing stone(double width, double height, double bevel, const Real3& p, const Real3& u) {
@@ -52,7 +52,7 @@ TEST(Hull, ABallIsRound) {
 }
 
 TEST(SearchBoard, ABallsGapIsItsCentresDistance) {
-  const auto ball = [](const Real3& p) { return stone(0.022, 0.022, 0.0, p, across); };
+  const auto ball = [](const Real3& p) { return stone(0.022, 0.022, 0.0, p, east); };
   EXPECT_NEAR(on_board(ball({0.05L, 0.1L, 0.03L})), 0.03 - 0.011, 1e-12);    // surface
   EXPECT_NEAR(on_board(ball({0.05L, -0.23L, -0.1L})), 0.03 - 0.011, 1e-12);  // side
   EXPECT_NEAR(on_board(ball({0.23L, 0.1L, 0.04L})), 0.05 - 0.011, 1e-12);    // edge
@@ -62,9 +62,9 @@ TEST(SearchBoard, ABallsGapIsItsCentresDistance) {
 }
 
 TEST(SearchBoard, AStoneOnEdgeReachesDownByHalfItsWidth) {
-  EXPECT_NEAR(on_board(stone(0.022, 0.0092, 0.0, {0.05L, 0, 0.02L}, across)), 0.02 - 0.011, 1e-12);
+  EXPECT_NEAR(on_board(stone(0.022, 0.0092, 0.0, {0.05L, 0, 0.02L}, east)), 0.02 - 0.011, 1e-12);
   EXPECT_NEAR(on_board(stone(0.022, 0.0092, 0.0, {0.05L, 0, 0.02L}, up)), 0.02 - 0.0046, 1e-12);
-  EXPECT_NEAR(on_board(stone(0.022, 0.0092, 0.0, {0.205L, 0, -0.1L}, across)), 0.005 - 0.0046, 1e-12);
+  EXPECT_NEAR(on_board(stone(0.022, 0.0092, 0.0, {0.205L, 0, -0.1L}, east)), 0.005 - 0.0046, 1e-12);
 }
 
 TEST(SearchPair, StonesOnEachOtherSideBySideAndInOneAnother) {
@@ -73,7 +73,7 @@ TEST(SearchPair, StonesOnEachOtherSideBySideAndInOneAnother) {
   EXPECT_NEAR(of_pair(flat, stone(0.022, 0.0092, 0.001, {0.1L, 0, 0.01L}, up)), 0.01 - 0.0092, 1e-12);
   EXPECT_NEAR(of_pair(flat, stone(0.022, 0.0092, 0.001, {0.13L, 0, 0}, up)), static_cast<double>(0.03L - reach), 1e-12);
   EXPECT_NEAR(of_pair(flat, flat), -0.0092, 1e-12);
-  EXPECT_NEAR(of_pair(stone(0.02, 0.02, 0.0, {0, 0, 0}, up), stone(0.03, 0.03, 0.0, {0.03L, 0.04L, 0}, across)),
+  EXPECT_NEAR(of_pair(stone(0.02, 0.02, 0.0, {0, 0, 0}, up), stone(0.03, 0.03, 0.0, {0.03L, 0.04L, 0}, east)),
               0.05 - 0.025, 1e-12);
 }
 

@@ -14,8 +14,8 @@ namespace goishi::drop_test {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using test::infinity;
+using test::nan;
 
 struct Scene {
   Stone<double> stone = make_stone(0.022, 0.0092, 0.001);

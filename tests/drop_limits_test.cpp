@@ -13,8 +13,7 @@ namespace goishi::drop_test {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double g_earth = 9.80665;
+using test::infinity;
 
 // --- no gravity, no horizon
 

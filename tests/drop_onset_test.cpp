@@ -8,11 +8,13 @@
 #include <limits>
 #include <random>
 
+#include "tests/expectations.hpp"
+
 namespace goishi::detail {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using test::infinity;
 
 /// A stone that touches, moves or not, and has rest, slip, turning and jamming all within reach.
 struct Contact {

@@ -17,7 +17,7 @@ namespace {
 using namespace goishi::verify;
 using Long = long double;
 
-constexpr Long g = 9.80665L;
+constexpr Long gravity = 9.80665L;
 constexpr Long pi = std::numbers::pi_v<Long>;
 
 void expect_relative(Long found, Long expected, double bound) {
@@ -33,7 +33,7 @@ Rocker size_33() {
           .torus_radius = 0.011L,
           .tube_radius = 0,
           .transverse = 0.244624139941691e-4L,
-          .gravity = g};
+          .gravity = gravity};
 }
 
 SpinningCap<Long> spinning_size_33() {
@@ -42,12 +42,12 @@ SpinningCap<Long> spinning_size_33() {
           .d = rocker.sphere_offset,
           .axial = 0.415606897126197e-4L,
           .transverse = rocker.transverse,
-          .gravity = g};
+          .gravity = gravity};
 }
 
 TEST(Wobble, SmallSwingsHaveThePendulumsPeriod) {
   const Rocker rocker = size_33();
-  const Long lever = rocker.sphere_radius - rocker.sphere_offset, stiffness = g * rocker.sphere_offset;
+  const Long lever = rocker.sphere_radius - rocker.sphere_offset, stiffness = gravity * rocker.sphere_offset;
   expect_relative(rocking_period(rocker, Footing::rolling, 1e-5L),
                   2 * pi * std::sqrt((rocker.transverse + lever * lever) / stiffness), 1e-9);
   expect_relative(rocking_period(rocker, Footing::frictionless, 1e-5L),
@@ -80,9 +80,9 @@ TEST(Wobble, ABallThatSlidesComesToRoll) {
                        .torus_radius = 0,
                        .tube_radius = radius,
                        .transverse = radius * radius * 2 / 5,
-                       .gravity = g};
+                       .gravity = gravity};
   const PlanarMotion end = end_of_slide(ball, {.friction = mu}, {.v = speed});
-  expect_relative(end.time, 2 * speed / (7 * mu * g), 1e-12);
+  expect_relative(end.time, 2 * speed / (7 * mu * gravity), 1e-12);
   expect_relative(end.v, speed * 5 / 7, 1e-12);
 }
 
@@ -112,7 +112,7 @@ TouchingBody touching_size_33(TouchingBody::Law law, Long mu) {
   return {.hull = narrow(construct_hull(0.022, 0.0092, 0)),
           .axial = stone.axial,
           .transverse = stone.transverse,
-          .gravity = g,
+          .gravity = gravity,
           .law = law,
           .mu = mu,
           .coefficient = 1.5L};
@@ -124,7 +124,7 @@ Long energy_of(const TouchingBody& body, const TouchingState& y) {
   const Long h = 1e-6L, rise = (height_of(body, y[2] + h) - height_of(body, y[2] - h)) / (2 * h) * y[7];
   return (y[5] * y[5] + y[6] * y[6] + rise * rise) / 2 +
          (body.transverse * y[7] * y[7] + across * across / body.transverse + y[9] * y[9] / body.axial) / 2 +
-         g * height_of(body, y[2]);
+         gravity * height_of(body, y[2]);
 }
 
 TEST(TouchingBody, ABallThatSlidesComesToRoll) {
@@ -132,13 +132,13 @@ TEST(TouchingBody, ABallThatSlidesComesToRoll) {
   const TouchingBody ball = {.hull = narrow(construct_hull(0.022, 0.022, 0)),
                              .axial = radius * radius * 2 / 5,
                              .transverse = radius * radius * 2 / 5,
-                             .gravity = g,
+                             .gravity = gravity,
                              .mu = mu};
   const TouchingPath path = follow(ball, TouchingState{0, 0, 0.5L, 0, 0, speed, 0, 0, 0, 0}, 0.03L);
   ASSERT_FALSE(path.gave_up);
   ASSERT_EQ(path.events.size(), 1U);
   EXPECT_EQ(path.events[0].kind, "stick");
-  expect_relative(path.events[0].time, 2 * speed / (7 * mu * g), 1e-11);
+  expect_relative(path.events[0].time, 2 * speed / (7 * mu * gravity), 1e-11);
   expect_relative(path.end[5], speed * 5 / 7, 1e-11);
 }
 

@@ -11,8 +11,6 @@ namespace goishi::drop_test {
 
 namespace {
 
-constexpr double g_earth = 9.80665;
-
 using detail::ContactScales;
 using detail::EdgeHops;
 using detail::Run;

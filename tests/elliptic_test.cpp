@@ -30,8 +30,8 @@ Quat<T> turned(const Quat<T>& q_WB, int axis, long double angle) {
 
 template <class T>
 class EllipticFlight : public testing::Test {};
-using Scalars = testing::Types<float, double, long double>;
-TYPED_TEST_SUITE(EllipticFlight, Scalars);
+using EllipticScalars = testing::Types<float, double, long double>;
+TYPED_TEST_SUITE(EllipticFlight, EllipticScalars);
 
 /// Six orders, three axes, both senses, any time, at attitudes whose products are exact.
 TYPED_TEST(EllipticFlight, TurnsOnAboutAnAxis) {

@@ -7,9 +7,26 @@
 #include <functional>
 #include <goishi/error.hpp>
 #include <goishi/rotation.hpp>
+#include <limits>
 #include <string>
+#include <string_view>
 
 namespace goishi::test {
+
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// How often `part` stands in `text`.
+[[nodiscard]] inline std::size_t count(std::string_view text, std::string_view part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string_view::npos; at = text.find(part, at + 1)) {
+    ++found;
+  }
+  return found;
+}
+[[nodiscard]] inline bool contains(std::string_view text, std::string_view part) {
+  return text.find(part) != std::string_view::npos;
+}
 
 /// How near to `expected`, component by component.
 template <class T>

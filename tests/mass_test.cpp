@@ -9,12 +9,14 @@
 #include <limits>
 #include <numbers>
 
+#include "tests/expectations.hpp"
+
 namespace {
 
 using namespace goishi;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 using std::numbers::pi;
+using test::nan;
 
 TEST(Mass, IsNanUntilComputed) {
   const MassProperties<double> body;

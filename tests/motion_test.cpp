@@ -75,8 +75,8 @@ class ElementarySpin : public testing::Test {
   const Moments ball{.axial = T(2), .transverse = T(2)};
 };
 
-using Scalars = testing::Types<float, double, long double, Digits>;
-TYPED_TEST_SUITE(ElementarySpin, Scalars);
+using MotionScalars = testing::Types<float, double, long double, Digits>;
+TYPED_TEST_SUITE(ElementarySpin, MotionScalars);
 
 TYPED_TEST(ElementarySpin, AboutTheSymmetryAxis) {
   using T = TypeParam;

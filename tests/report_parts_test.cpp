@@ -11,6 +11,7 @@
 #include <iterator>
 #include <limits>
 
+#include "tests/expectations.hpp"
 #include "verify/report/escape.hpp"
 #include "verify/report/number.hpp"
 #include "verify/report/report.hpp"
@@ -20,14 +21,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using test::infinity;
+using test::nan;
 
 using Lines = std::vector<std::string>;
 
-bool contains(std::string_view text, std::string_view part) {
-  return text.find(part) != std::string_view::npos;
-}
+using test::contains;
 
 // --- numbers and text
 

@@ -1,6 +1,7 @@
 /// The report: what people and programs read of a run, whatever the claims say.
 
 #include "verify/report/report.hpp"
+#include "tests/expectations.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidjson/document.h>
@@ -24,19 +25,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using test::nan;
 
-std::size_t count(std::string_view text, std::string_view part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string_view::npos; at = text.find(part, at + 1)) {
-    ++found;
-  }
-  return found;
-}
-
-bool contains(std::string_view text, std::string_view part) {
-  return count(text, part) > 0;
-}
+using test::contains;
+using test::count;
 
 std::string content_of(const fs::path& path) {
   std::ifstream file(path);

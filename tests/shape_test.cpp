@@ -9,12 +9,14 @@
 #include <string>
 #include <type_traits>
 
+#include "tests/expectations.hpp"
+
 namespace {
 
 using namespace goishi;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using test::infinity;
+using test::nan;
 
 /// A bad call throws InvalidArgument that names the argument, and says its value and rule in one line.
 template <class Call>

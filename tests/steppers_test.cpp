@@ -14,8 +14,8 @@ namespace goishi::motion_test {
 
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-const RigidBody<double> stone = make_rigid_body(0.005, stone_moments);
+constexpr double ulp = std::numeric_limits<double>::epsilon();
+const RigidBody<double> thrown_stone = make_rigid_body(0.005, stone_moments);
 
 // --- the table
 
@@ -47,9 +47,9 @@ TEST(Schemes, StatusesHaveWords) {
 }
 
 TEST(Schemes, KeepWhatTheyWereMadeOf) {
-  const Stepper<double> stepper(Scheme::splitting_2, stone);
+  const Stepper<double> stepper(Scheme::splitting_2, thrown_stone);
   EXPECT_EQ(stepper.scheme(), Scheme::splitting_2);
-  EXPECT_EQ(stepper.body().moments, stone.moments);
+  EXPECT_EQ(stepper.body().moments, thrown_stone.moments);
   EXPECT_EQ(stepper.gravity(), gravity_W<double>());
 }
 
@@ -79,17 +79,17 @@ TEST(Step, AboutAPrincipalAxisTurnsByTheKnownAngle) {
         }
         constexpr double dt = 0.125;
         Vec3<double> L_W = weightless;
-        L_W[axis] = stone.moments[axis] * turn / dt;
-        const auto [state, status, steps] =
-            Stepper<double>(one.scheme, stone, weightless).advance(turning(Quat<double>::Identity(), L_W), dt, 3);
+        L_W[axis] = thrown_stone.moments[axis] * turn / dt;
+        const auto [state, status, steps] = Stepper<double>(one.scheme, thrown_stone, weightless)
+                                                .advance(turning(Quat<double>::Identity(), L_W), dt, 3);
         ASSERT_EQ(status, StepStatus::completed);
         ASSERT_EQ(steps, 3);
         const double half = 3 * known_turn(one.scheme, turn) / 2;
         Quat<double> expected(std::cos(half), 0.0, 0.0, 0.0);
         expected.coeffs()[axis] = std::sin(half);
         // Three steps, each with a few roundings of numbers up to 1 and of an angle up to |turn|.
-        EXPECT_LE(angle_between(state.q_WB, expected), 3 * 8 * epsilon * (1 + std::fabs(turn))) << one.name << turn;
-        EXPECT_LE((state.L_W - L_W).norm(), 3 * 8 * epsilon * L_W.norm()) << one.name;
+        EXPECT_LE(angle_between(state.q_WB, expected), 3 * 8 * ulp * (1 + std::fabs(turn))) << one.name << turn;
+        EXPECT_LE((state.L_W - L_W).norm(), 3 * 8 * ulp * L_W.norm()) << one.name;
       }
     }
   }
@@ -98,7 +98,7 @@ TEST(Step, AboutAPrincipalAxisTurnsByTheKnownAngle) {
 TEST(Step, WithoutMomentumDoesNotTurn) {
   for (const SchemeInfo& one : schemes) {
     const State<double> start = turning(Quat<double>(0.5, -0.5, 0.5, 0.5), weightless);
-    const Stepped<double> end = Stepper<double>(one.scheme, stone, weightless).advance(start, 0.1, 10);
+    const Stepped<double> end = Stepper<double>(one.scheme, thrown_stone, weightless).advance(start, 0.1, 10);
     EXPECT_EQ(end.status, StepStatus::completed);
     EXPECT_TRUE(same(end.state, start)) << one.name;
   }
@@ -106,7 +106,7 @@ TEST(Step, WithoutMomentumDoesNotTurn) {
 
 TEST(Step, NoneIsTheStart) {
   for (const SchemeInfo& one : schemes) {
-    const Stepped<double> end = Stepper<double>(one.scheme, stone).advance(moving(), 0.1, 0);
+    const Stepped<double> end = Stepper<double>(one.scheme, thrown_stone).advance(moving(), 0.1, 0);
     EXPECT_EQ(end.status, StepStatus::completed);
     EXPECT_EQ(end.steps, 0);
     EXPECT_TRUE(same(end.state, moving())) << one.name;
@@ -118,7 +118,7 @@ TEST(Step, OfTheCentreOfMass) {
   State<double> start = turning(Quat<double>::Identity(), weightless);
   start.v_WB = {1.0, 0.0, 4.0};
   for (const SchemeInfo& one : schemes) {
-    const Stepper<double> stepper(one.scheme, stone, Vec3<double>(0.0, 0.0, -8.0));
+    const Stepper<double> stepper(one.scheme, thrown_stone, Vec3<double>(0.0, 0.0, -8.0));
     const State<double> end = stepper.advance(start, 0.5, 4).state;
     const double below = one.position_order == exact_order ? 0.0 : 8.0 * 2.0 * 0.5 / 2.0;
     if (one.position_order == exact_order || one.scheme == Scheme::published || one.scheme == Scheme::explicit_euler) {
@@ -131,7 +131,7 @@ TEST(Step, OfTheCentreOfMass) {
 TEST(Step, OfOneFreedom) {
   for (const SchemeInfo& one : schemes) {
     const auto after = [&](Freedom freedom) {
-      return Stepper<double>(one.scheme, stone, gravity_W<double>(), freedom).advance(moving(), 0.01, 5).state;
+      return Stepper<double>(one.scheme, thrown_stone, gravity_W<double>(), freedom).advance(moving(), 0.01, 5).state;
     };
     const State<double> both = after(Freedom::both), linear = after(Freedom::linear), angular = after(Freedom::angular);
     EXPECT_TRUE(linear.p_WB == both.p_WB && linear.v_WB == both.v_WB) << one.name;
@@ -144,7 +144,7 @@ TEST(Step, OfOneFreedom) {
 
 TEST(Step, ManyAreOneAfterTheOther) {
   for (const SchemeInfo& one : schemes) {
-    const Stepper<double> stepper(one.scheme, stone);
+    const Stepper<double> stepper(one.scheme, thrown_stone);
     State<double> state = moving();
     for (int i = 0; i < 7; ++i) {
       state = stepper.step(state, 0.01).state;
@@ -161,26 +161,27 @@ TEST(Step, ManyAreOneAfterTheOther) {
 TEST(Step, ThePublishedLoopKeepsTheWrongThing) {
   // The angular velocity instead of the momentum: the talk's loop.
   const State<double> start = moving();
-  const State<double> end = Stepper<double>(Scheme::published, stone, weightless).advance(start, 1e-3, 100).state;
-  const Vec3<double> w = formula::angular_velocity_W(start, stone);
-  EXPECT_LE((formula::angular_velocity_W(end, stone) - w).norm(), 100 * 16 * epsilon * w.norm());
+  const State<double> end =
+      Stepper<double>(Scheme::published, thrown_stone, weightless).advance(start, 1e-3, 100).state;
+  const Vec3<double> w = formula::angular_velocity_W(start, thrown_stone);
+  EXPECT_LE((formula::angular_velocity_W(end, thrown_stone) - w).norm(), 100 * 16 * ulp * w.norm());
   EXPECT_GT((end.L_W - start.L_W).norm(), 0.1 * start.L_W.norm());
   for (const SchemeInfo& one : schemes) {
     if (one.scheme != Scheme::published) {
-      EXPECT_EQ(Stepper<double>(one.scheme, stone).advance(start, 1e-3, 100).state.L_W, start.L_W) << one.name;
+      EXPECT_EQ(Stepper<double>(one.scheme, thrown_stone).advance(start, 1e-3, 100).state.L_W, start.L_W) << one.name;
     }
   }
 }
 
 TEST(Step, TheExactSchemeIsTheExactFlight) {
-  const Stepper<double> stepper(Scheme::exact, stone);
+  const Stepper<double> stepper(Scheme::exact, thrown_stone);
   EXPECT_TRUE(same(stepper.step(moving(), 0.7).state, free_flight(moving(), stone_moments, gravity_W<double>(), 0.7)));
 }
 
 template <class T>
 class StepIn : public testing::Test {};
-using Scalars = testing::Types<float, long double, boost::multiprecision::cpp_bin_float_50>;
-TYPED_TEST_SUITE(StepIn, Scalars);
+using StepperScalars = testing::Types<float, long double, boost::multiprecision::cpp_bin_float_50>;
+TYPED_TEST_SUITE(StepIn, StepperScalars);
 
 TYPED_TEST(StepIn, OtherScalars) {
   // A quarter turn about the symmetry axis, in a single step of those that are exact there.
@@ -215,7 +216,7 @@ TEST(LargeStep, NeverGivesNanOrABrokenAttitude) {
       const double dt = std::pow(10.0, order);
       const std::string what = std::string(one.name) + ", step 1e" + std::to_string(order);
       for (const Freedom freedom : {Freedom::linear, Freedom::angular, Freedom::both}) {
-        const Stepper<double> stepper(one.scheme, stone, gravity_W<double>(), freedom);
+        const Stepper<double> stepper(one.scheme, thrown_stone, gravity_W<double>(), freedom);
         expect_sound(stepper.advance(moving(), dt, 3), 3, what);
       }
       ASSERT_FALSE(HasFailure());  // one is enough
@@ -225,7 +226,7 @@ TEST(LargeStep, NeverGivesNanOrABrokenAttitude) {
 
 TEST(LargeStep, OverflowsAreSeen) {
   for (const SchemeInfo& one : schemes) {
-    const Stepped<double> end = Stepper<double>(one.scheme, stone).step(moving(), 1e308);
+    const Stepped<double> end = Stepper<double>(one.scheme, thrown_stone).step(moving(), 1e308);
     EXPECT_NE(end.status, StepStatus::completed) << one.name;
     EXPECT_EQ(end.steps, 0) << one.name;
     EXPECT_TRUE(same(end.state, moving())) << one.name;
@@ -233,7 +234,7 @@ TEST(LargeStep, OverflowsAreSeen) {
 }
 
 TEST(LargeStep, TheRungeKuttaMethodDiverges) {
-  const Stepper<double> stepper(Scheme::runge_kutta_4, stone, weightless);
+  const Stepper<double> stepper(Scheme::runge_kutta_4, thrown_stone, weightless);
   const double slow = stone_moments.transverse / moving().L_W.norm();  // [s] for a precession of 1 rad
   EXPECT_EQ(stepper.advance(moving(), 0.1 * slow, 100).status, StepStatus::completed);
   const Stepped<double> end = stepper.advance(moving(), 100.0 * slow, 10);
@@ -246,7 +247,7 @@ TEST(LargeStep, KeepsTheLastGoodState) {
   State<double> start = turning(Quat<double>::Identity(), weightless);
   start.p_WB = {1e308, 0.0, 0.0};
   start.v_WB = {3.0, 0.0, 0.0};
-  const Stepper<double> stepper(Scheme::exact, stone, weightless, Freedom::linear);
+  const Stepper<double> stepper(Scheme::exact, thrown_stone, weightless, Freedom::linear);
   const Stepped<double> end = stepper.advance(start, 1e307, 10);
   EXPECT_EQ(end.status, StepStatus::diverged);
   EXPECT_EQ(end.steps, 2);

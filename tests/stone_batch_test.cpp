@@ -43,8 +43,8 @@ std::vector<Stone<T>> some_stones(std::size_t count) {
 
 template <class T>
 class Batch : public testing::Test {};
-using Scalars = testing::Types<float, double>;
-TYPED_TEST_SUITE(Batch, Scalars);
+using BatchScalars = testing::Types<float, double>;
+TYPED_TEST_SUITE(Batch, BatchScalars);
 
 TYPED_TEST(Batch, FliesEachStoneAsIfAlone) {
   using T = TypeParam;

@@ -1,6 +1,7 @@
 /// Pictures of plots, and their axes.
 
 #include "verify/report/svg.hpp"
+#include "tests/expectations.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,16 +14,14 @@
 namespace goishi::verify {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using test::infinity;
+using test::nan;
 constexpr double tiny = std::numeric_limits<double>::denorm_min();
 constexpr double huge = std::numeric_limits<double>::max();
 
 using Points = std::vector<std::pair<double, double>>;
 
-bool contains(std::string_view text, std::string_view part) {
-  return text.find(part) != std::string_view::npos;
-}
+using test::contains;
 
 /// What stands between each `before` and the next `after`.
 std::vector<std::string> all_between(std::string_view text, std::string_view before, std::string_view after) {

@@ -10,6 +10,8 @@
 
 namespace goishi::drop_test {
 
+inline constexpr double g_earth = 9.80665;
+
 /// Of size 33 unless told otherwise, 5 cm over the board.
 struct Thrown {
   Stone<double> stone = make_stone(0.022, 0.0092, 0.001);

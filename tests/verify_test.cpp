@@ -9,6 +9,7 @@
 #include <limits>
 #include <thread>
 
+#include "tests/expectations.hpp"
 #include "verify/suite/claim.hpp"
 #include "verify/suite/run.hpp"
 #include "verify/suite/ulps.hpp"
@@ -17,8 +18,8 @@ namespace {
 
 using namespace goishi::verify;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using goishi::test::infinity;
+using goishi::test::nan;
 
 Claim claim_with(double bound, double resolution = 0.0) {
   return {.id = "TEST-1",

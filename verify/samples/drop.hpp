@@ -21,10 +21,7 @@ namespace goishi::verify {
 
 inline constexpr double g_earth = 9.80665;
 inline constexpr double degree = std::numbers::pi / 180.0;
-
-[[nodiscard]] inline double as_double(Long value) {
-  return static_cast<double>(value);
-}
+inline constexpr double tight = 1e-12;  // tolerance where the answer is exact
 
 /// A stone to drop, and the same for the witnesses: by its definition, with moments by quadrature.
 struct Pebble {

@@ -14,7 +14,7 @@ namespace goishi::verify {
 
 namespace {
 
-Measurement measure_plane(Context& context) {
+Measurement measure_plane_points(Context& context) {
   Worst worst;
   for (int i = 0; i < context.samples(2000, 20000); ++i) {
     const PlaneCase drawn = draw_plane_case(context, i);
@@ -126,7 +126,7 @@ std::vector<Long3> free_directions(const Long3& n, bool on_board) {
   return {e, n.cross(e)};
 }
 
-struct Seen {
+struct SeenPoints {
   Checks checks;
   int normals = 0, ill_conditioned = 0;
 
@@ -158,7 +158,7 @@ struct Seen {
 };
 
 Measurement measure_points(Context& context) {
-  Seen seen;
+  SeenPoints seen;
   for (int i = 0; i < context.samples(4000, 40000); ++i) {
     const Specimen specimen = draw_stone(context, i / 8);
     const Board<double> board = draw_board(context, i / 48);
@@ -219,7 +219,7 @@ std::vector<Claim> contact_point_claims() {
                     "const T along = cap ? height"},
                    {"contact/contact.hpp", "result.p_stone = formula::minus(placed.p_W, support.x_W);",
                     "result.p_stone = formula::plus(placed.p_W, support.x_W);"}},
-       .measure = measure_plane},
+       .measure = measure_plane_points},
       {.id = "CONTACT-7",
        .statement =
            "The normal is that at which the separation is stationary, wherever a normal that is off by a radian costs "

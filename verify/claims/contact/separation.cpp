@@ -15,7 +15,7 @@ namespace goishi::verify {
 
 namespace {
 
-Measurement measure_plane(Context& context) {
+Measurement measure_plane_gap(Context& context) {
   Worst worst;
   for (int i = 0; i < context.samples(2000, 20000); ++i) {
     const PlaneCase drawn = draw_plane_case(context, i);
@@ -39,7 +39,7 @@ long double along(const Standing& stone, const Board<double>& board, const Vec3<
          static_cast<long double>(board.half_length) * std::fabs(n[1]);
 }
 
-Measurement measure_board(Context& context) {
+Measurement measure_board_gap(Context& context) {
   Checks checks;
   std::array<int, 6> features{};
   int short_of = 0;
@@ -162,7 +162,7 @@ std::vector<Claim> contact_claims() {
                     "const T square = scalar::sqrt(dot(seen.radial_part, seen.radial_part));"},
                    {"contact/stone_plane.hpp", "return height - formula::rim_support(stone, radial);",
                     "return height - formula::rim_support(stone, height);"}},
-       .measure = measure_plane},
+       .measure = measure_plane_gap},
       {.id = "CONTACT-2",
        .statement =
            "The gap or depth of a stone at the board is the greatest separation over all normals: surface, sides, "
@@ -187,7 +187,7 @@ std::vector<Claim> contact_claims() {
                    {"contact/arc_search.hpp", "rim < stone_.sphere_radius ? rim : stone_.sphere_radius",
                     "stone_.sphere_radius"},
                    {"contact/arc.hpp", "stone.core_sphere_radius < reach", "T(0) < reach"}},
-       .measure = measure_board},
+       .measure = measure_board_gap},
       {.id = "CONTACT-3",
        .statement =
            "No point of the stone lies beyond the plane that is given; pushed out along the normal by the depth, "

@@ -70,7 +70,7 @@ Measurement measure_drops(Context& context) {
   return checks.measurement();
 }
 
-Measurement measure_plane(Context& context) {
+Measurement measure_plane_time(Context& context) {
   Checks checks;
   int hits = 0, grazing = 0, steps = 0;
   for (int i = 0; i < context.samples(60, 400); ++i) {
@@ -228,7 +228,7 @@ std::vector<Claim> time_of_impact_claims() {
                    {"contact/flight_path.hpp", "const T least = magnitude_of(part.A) - swing;",
                     "const T least = magnitude_of(part.A) + swing;"},
                    {"contact/flight_path.hpp", "if (!(t <= horizon)", "if (!(t <= T(2) * horizon)"}},
-       .measure = measure_plane},
+       .measure = measure_plane_time},
       {.id = "TOI-3",
        .statement =
            "Where a flight starts decides: in contact it hits at 0 unless it leaves, and then when it comes back; "

@@ -41,7 +41,7 @@ void see_flight(const Context& context, Checks& checks, const TimeOfImpact<doubl
   see(std::fabs(off) <= 16.0 * epsilon * scale ? 0.0 : 1.0, "faults", "contact's gap: ");
 }
 
-Measurement measure_board(Context& context) {
+Measurement measure_board_time(Context& context) {
   Checks checks;
   int hits = 0, flights = 0, normals = 0;
   std::array<int, 6> features{};
@@ -143,7 +143,7 @@ std::vector<Claim> time_of_impact_body_claims() {
        .mutants = {{"contact/time_of_impact.hpp", "detail::reach_of(board, contact.n_W)", "T(0)"},
                    {"contact/flight_path.hpp", "formula::greatest_bend(part.stone->sphere_offset",
                     "formula::greatest_bend<T>(part.stone->sphere_offset / T(8)"}},
-       .measure = measure_board},
+       .measure = measure_board_time},
       {.id = "TOI-5",
        .statement =
            "Two flying stones are apart before the time that is given and touch then, each turning at up to 1000 "

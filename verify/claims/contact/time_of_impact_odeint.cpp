@@ -56,7 +56,7 @@ Pose<double> pose_of(const FlyingPlace& place) {
   return {.p_WB = vector(place.p), .q_WB = turn_between(Vec3<double>::UnitZ(), vector(place.u))};
 }
 
-struct Seen {
+struct SeenFlights {
   Worst& faults;
   Worst worst = {};
   int hits = 0, flights = 0;
@@ -88,7 +88,7 @@ struct Seen {
 
 Measurement measure_events(Context& context) {
   Worst faults;
-  Seen at_board{faults}, of_two{faults};
+  SeenFlights at_board{faults}, of_two{faults};
   for (int i = 0; at_board.flights < context.samples(60, 400); ++i) {
     const Board<double> board = draw_board(context, i / 6);
     const double after = context.uniform(0.02, 0.15), horizon = 1.5 * after;

@@ -15,8 +15,6 @@ namespace goishi::verify {
 
 namespace {
 
-constexpr double tolerance = 1e-12;
-
 // --- DROP-5
 
 Measurement measure_rolling(Context& context) {
@@ -55,7 +53,7 @@ Measurement measure_ball(Context& context) {
     const double g = published ? 9.81 : context.uniform(1.0, 20.0);
     const Stone<double> ball = make_stone(2.0 * radius, 2.0 * radius);
     const RigidBody<double> body = make_rigid_body(mass_properties(ball, Mass{0.01}));
-    DropSettings<double> settings = lossless(mu, tolerance);
+    DropSettings<double> settings = lossless(mu, tight);
     settings.gravity = {0.0, 0.0, -g};
     State<double> start;
     start.q_WB = Quat<double>::Identity();
@@ -121,7 +119,7 @@ struct Disc {
   }
   [[nodiscard]] Drop<double> rolled(const Quat<double>& q, const Vec3<double>& p, const Vec3<double>& w,
                                     double time) const {
-    DropSettings<double> settings = lossless(no_slip, tolerance);
+    DropSettings<double> settings = lossless(no_slip, tight);
     settings.gravity = {0.0, 0.0, -9.81};
     settings.horizon = time;
     State<double> start;

@@ -15,8 +15,6 @@ namespace goishi::verify {
 
 namespace {
 
-constexpr double tolerance = 1e-12;
-
 /// The axis' lean forward at which friction does not turn a stone that slides: d sin ψ = μ (r − d cos ψ).
 double steady_tilt(const Pebble& pebble, double friction) {
   const Long d = pebble.shape.sphere_offset, r = pebble.shape.sphere_radius, mu = friction;
@@ -36,7 +34,7 @@ Measurement measure_sliding(Context& context) {
   const Pebble pebble = size_33();
   for (int i = 0; i < context.samples(10, 60); ++i) {
     const double mu = i == 0 ? 0.3 : context.uniform(0.05, 0.35), v = i == 0 ? 0.3 : context.uniform(0.05, 1.0);
-    const DropSettings<double> settings = lossless(mu, tolerance);
+    const DropSettings<double> settings = lossless(mu, tight);
     const Long g = g_earth, stops = v / (mu * g), place = static_cast<Long>(v) * v / (2 * mu * g);
     const auto see = [&](Long error, const char* check, const char* what = "") {
       checks[check].see(as_double(std::fabs(error)), [&] { return fmt::format("{}μ = {:a}, {:a} m/s", what, mu, v); });
@@ -95,7 +93,7 @@ Measurement measure_slope(Context& context) {
                          : i % 4 == 1 ? limit * (1.0 + 1e-6)
                                       : limit * context.uniform(0.1, 1.9);
     const Long g = g_earth, sine = std::sin(static_cast<Long>(slope)), cosine = std::cos(static_cast<Long>(slope));
-    DropSettings<double> settings = lossless(mu, tolerance);
+    DropSettings<double> settings = lossless(mu, tight);
     settings.gravity = {as_double(g * sine), 0.0, as_double(-g * cosine)};
     const bool slides = slope > limit;
     // Let go where neither gravity nor friction turns it.
@@ -131,7 +129,7 @@ void see_woken(Context& context, Checks& checks, const Pebble& pebble, double mu
   DropSettings<double> settings;
   settings.friction = mu;
   settings.rolling_resistance = delta;
-  settings.tolerance = tolerance;
+  settings.tolerance = tight;
   const double h = pebble.shape.height;
   const auto see = [&](Long error, const char* check) {
     checks[check].see(as_double(std::fabs(error)), [&] { return fmt::format("μ = {:a}, δ = {:a} m", mu, delta); });

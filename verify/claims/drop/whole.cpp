@@ -124,17 +124,17 @@ double magnified_by_five_bounces(const Pebble& pebble, const State<double>& star
   return (axis(turned) - axis(start)).norm() / turn;
 }
 
-Measurement measure_tolerance(Context& context) {
+Measurement measure_place(Context& context) {
   const Pebble pebble = size_33(0.001);
-  const std::array<double, 4> tolerances = {1e-5, 1e-6, 1e-7, 1e-9};
+  const std::array<double, 4> tried = {1e-5, 1e-6, 1e-7, 1e-9};
   std::array<std::vector<double>, 4> off;
   std::vector<double> magnified, bounced;
   Checks checks;
   for (int i = 0; i < context.samples(40, 80); ++i) {
     const State<double> start = draw_fall(context, pebble.body);
     const Drop<double> best = dropped(pebble, start, 1e-11);
-    for (std::size_t k = 0; k < tolerances.size(); ++k) {
-      const Drop<double> other = dropped(pebble, start, tolerances[k]);
+    for (std::size_t k = 0; k < tried.size(); ++k) {
+      const Drop<double> other = dropped(pebble, start, tried[k]);
       const Vec3<double> p(context.produced(other.state.p_WB.x()), other.state.p_WB.y(), other.state.p_WB.z());
       off[k].push_back(other.status == DropStatus::rest ? (p - best.state.p_WB).norm() : 1.0);
     }
@@ -147,9 +147,9 @@ Measurement measure_tolerance(Context& context) {
   checks["worst"].see(quantile(off[3], 1.0), [] { return "drops at 1e-9"; });
   Measurement result = checks.measurement();
   Series median{"median", {}}, most{"nine in ten", {}};
-  for (std::size_t k = 0; k < tolerances.size(); ++k) {
-    median.points.emplace_back(tolerances[k], quantile(off[k], 0.5));
-    most.points.emplace_back(tolerances[k], quantile(off[k], 0.9));
+  for (std::size_t k = 0; k < tried.size(); ++k) {
+    median.points.emplace_back(tried[k], quantile(off[k], 0.5));
+    most.points.emplace_back(tried[k], quantile(off[k], 0.9));
   }
   result.figures = {
       {"median at 1e-9", fmt::format("{:.2g} m", quantile(off[3], 0.5))},
@@ -252,7 +252,7 @@ std::vector<Claim> drop_whole_claims() {
                          "bounces and onsets of slip magnify some drops a hundredfold; measured 2026-11-30 with 22 "
                          "seeds: up to 6.5e-08")},
        .mutants = {{"drop/integrator.hpp", "const T small = at_least(T(1e-12),", "const T small = at_least(T(1e-4),"}},
-       .measure = measure_tolerance},
+       .measure = measure_place},
       {.id = "DROP-20",
        .statement =
            "Random drops of any stone, start, law and material: no NaN, no tunnelling, no energy from nothing, and "

@@ -205,9 +205,9 @@ Question draw_question(std::mt19937_64& random, int i) {
   return question;
 }
 
-/// A ball around a number of 50 digits: ± 1e-40 (1 + |x|) for its own roundings, x in units of its scale. Flights of
+/// A ball flight_ball a number of 50 digits: ± 1e-40 (1 + |x|) for its own roundings, x in units of its scale. Flights of
 /// some hundred radians, and distances from far points, lose ten.
-Ball around(const Digits50& value) {
+Ball flight_ball(const Digits50& value) {
   Ball ball = Ball::from_decimal(value.str(55, std::ios_base::scientific));
   const Ball error = Ball::from_decimal("1e-40");
   Ball magnitude;
@@ -218,7 +218,7 @@ Ball around(const Digits50& value) {
 
 constexpr int kinds = 3;
 
-Measurement measure_containment(Context& context) {
+Measurement measure_flight_containment(Context& context) {
   Checks checks;
   std::set<std::string> choices;
   std::vector<Question> questions = plain_questions();
@@ -232,7 +232,8 @@ Measurement measure_containment(Context& context) {
     const auto& balls = outcomes.front();
     for (std::size_t k = 0; k < numbers.values.size(); ++k) {
       const Ball& enclosure = balls.values[k].second.ball();
-      const bool met = enclosure.is_finite() && around(context.produced(numbers.values[k].second)).overlaps(enclosure);
+      const bool met =
+          enclosure.is_finite() && flight_ball(context.produced(numbers.values[k].second)).overlaps(enclosure);
       see_choice(checks["enclosures"], met, [&] { return numbers.values[k].first + ", " + describe(question.shape); });
     }
     see_choice(checks["choices"], balls.choices == numbers.choices,
@@ -247,7 +248,7 @@ Measurement measure_containment(Context& context) {
   return result;
 }
 
-Measurement measure_width(Context& context) {
+Measurement measure_flight_width(Context& context) {
   Worst worst;
   for (int i = 0; i < context.samples(120, 250); ++i) {
     const Question question = draw_question(context.random(), i);
@@ -276,7 +277,7 @@ std::vector<Claim> enclosure_branch_claims() {
                          "an enclosure meets the 50-digit value or it does not"),
                   none("choices", "choices not proved, not the same in 50 digits, or never made")},
        .mutants = {},
-       .measure = measure_containment},
+       .measure = measure_flight_containment},
       {.id = "ENCLOSURE-4",
        .statement = "These enclosures are narrow, over the whole domain.",
        .function = "the same, on balls",
@@ -290,7 +291,7 @@ std::vector<Claim> enclosure_branch_claims() {
        .mutants = {{"shape/surface.hpp",
                     "return stone.height / T(2) + stone.sphere_offset * radial_square / (T(1) + axial);",
                     "return stone.sphere_radius - stone.sphere_offset * axial;"}},
-       .measure = measure_width},
+       .measure = measure_flight_width},
   };
 }
 

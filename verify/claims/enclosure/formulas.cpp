@@ -52,8 +52,8 @@ std::vector<Named<T>> all_quantities(const ShapeSample<double>& shape, bool meas
           {"I_t/m of the lens", per_mass.transverse}};
 }
 
-/// A ball around a 50-digit value: itself ± 1e-45 of it, for the roundings of the 50-digit evaluation.
-Ball around(const Digits50& value) {
+/// A ball formula_ball a 50-digit value: itself ± 1e-45 of it, for the roundings of the 50-digit evaluation.
+Ball formula_ball(const Digits50& value) {
   Ball ball = Ball::from_decimal(value.str(55, std::ios_base::scientific));
   Ball error = Ball::from_decimal("1e-45") * ball;
   arb_add_error(ball.get(), error.get());
@@ -76,8 +76,8 @@ Measurement measure_containment(Context& context) {
   for_each_quantity(context, context.samples(200, 2000), [&](const auto& shape, bool measured, const auto& enclosures) {
     const auto values = all_quantities<Digits50>(shape, measured);
     for (std::size_t k = 0; k < values.size(); ++k) {
-      const bool met =
-          enclosures[k].value.is_finite() && around(context.produced(values[k].value)).overlaps(enclosures[k].value);
+      const bool met = enclosures[k].value.is_finite() &&
+                       formula_ball(context.produced(values[k].value)).overlaps(enclosures[k].value);
       worst.see(met ? 0.0 : 1.0, [&] { return fmt::format("{}, {}", values[k].name, describe(shape)); });
     }
   });

@@ -13,10 +13,6 @@ namespace goishi::verify {
 
 namespace {
 
-double as_double(long double value) {
-  return static_cast<double>(value);
-}
-
 /// Calls see(encounter, meeting, law) for `count` encounters that approach, Stronge's law at every eighth.
 template <class F>
 void for_each_impact(Context& context, int count, F&& see) {

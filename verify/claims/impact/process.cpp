@@ -14,10 +14,6 @@ namespace goishi::verify {
 
 namespace {
 
-double as_double(long double value) {
-  return static_cast<double>(value);
-}
-
 // --- IMPACT-6: Routh's construction
 
 /// A planar impact: the slip and the normal velocity are linear in the normal impulse, piece by piece.

@@ -22,7 +22,7 @@ namespace {
 
 enum class Parametrisation { sharp, published, measured };
 
-constexpr const char* area = "surface area";
+constexpr const char* area_name = "surface area";
 
 template <class T>
 Stone<T> produce(Parametrisation kind, const ShapeSample<T>& shape) {
@@ -62,7 +62,7 @@ class UlpTable {
            const ShapeSample<T>& shape) {
     // d and r₁ of the ball are exactly zero.
     const double error = ulps(context.produced(computed), expected);
-    const bool is_area = std::string_view(quantity) == area;
+    const bool is_area = std::string_view(quantity) == area_name;
     const char* check = !area_apart_ ? "" : is_area ? "area" : "volume and moments";
     checks_[check].see(error, [&] { return fmt::format("{} {}, {}", scalar, quantity, describe(shape)); });
     double& entry = by_quantity_[fmt::format("{}, {}", quantity, scalar)];
@@ -123,7 +123,7 @@ void see_mass(UlpTable& table, const Context& context, const char* scalar, Param
   const Moments<Ball> moments =
       sharp ? formula::lens_moments(right.width, right.height) : formula::bevelled_moments(right, terms);
   table.see(context, scalar, "V", body.volume, volume, shape);
-  table.see(context, scalar, area, body.surface_area, surface, shape);
+  table.see(context, scalar, area_name, body.surface_area, surface, shape);
   table.see(context, scalar, "m = ρ V", body.mass, exact_given * volume, shape);
   table.see(context, scalar, "I_a", body.moments.axial, exact_given * moments.axial, shape);
   table.see(context, scalar, "I_t", body.moments.transverse, exact_given * moments.transverse, shape);
@@ -154,7 +154,7 @@ auto shape_measure(Parametrisation kind) {
   };
 }
 
-Measurement measure_width(Context& context) {
+Measurement measure_solved_width(Context& context) {
   return over_samples(context, context.samples(10'000, 100'000),
                       [&](UlpTable& table, const char* scalar, const auto& shape) {
                         see_width(table, context, scalar, Parametrisation::published, shape);
@@ -270,7 +270,7 @@ std::vector<Claim> accuracy_claims() {
        .oracle = arb,
        .checks = {within("", 2.0, "ulp", "two terms rounded to ½ ulp each, and their sum: 1½ ulp", 1.0)},
        .mutants = {{"shape/stone.hpp", "using Wide = scalar::wider_t<T>;", "using Wide = T;"}},
-       .measure = measure_width},
+       .measure = measure_solved_width},
       {.id = "MASS-1",
        .statement =
            "Volume, moments and moments per mass of a sharp lens are right to one ulp, float and double, the area "

@@ -62,7 +62,7 @@ Quat<Quad> attitude_in_quad(const Tumbling& problem) {
 }
 
 /// The formula itself, in 34 digits: no round-off of double in the way.
-Measurement measure_formula(Context& context) {
+Measurement measure_elliptic_formula(Context& context) {
   Worst worst;
   for (int i = 0; i < context.samples(20, 40); ++i) {
     const Tumbling problem = draw_tumbling(context, i, 12.0);
@@ -138,7 +138,7 @@ Measurement measure_axes(Context& context) {
 }
 
 /// The rotation leaves L_W alone; what the attitude makes of it in the body must keep |L| and the energy.
-Measurement measure_invariants(Context& context) {
+Measurement measure_elliptic_invariants(Context& context) {
   Checks checks;
   for (int i = 0; i < context.samples(5000, 50000); ++i) {
     const Tumbling problem = draw_tumbling(context, i, std::pow(10.0, context.uniform(0.0, 9.0)));
@@ -209,7 +209,7 @@ std::vector<Claim> elliptic_claims() {
                     "start.size / start.C / start.ratio * third"},
                    {"motion/elliptic_flight.hpp", "frame.R_BF << f1, f3.cross(f1), f3",
                     "frame.R_BF << f1, f1.cross(f3), f3"}},
-       .measure = measure_formula},
+       .measure = measure_elliptic_formula},
       {.id = "ELLIPTIC-3",
        .statement =
            "In float and double the attitude is right to round-off: bricks, laminas, rods, nearly round bodies, up "
@@ -233,7 +233,7 @@ std::vector<Claim> elliptic_claims() {
                   within("length", 4.0, "ε, of |q|²", "the attitude is rounded once", 0.5)},
        .mutants = {{"motion/elliptic_flight.hpp", "T(flip * jacobi.B * at.sn)", "T(-flip * jacobi.B * at.sn)"},
                    {"motion/elliptic_flight.hpp", "* end_S * q_BF.conjugate()", "* start_S * q_BF.conjugate()"}},
-       .measure = measure_invariants},
+       .measure = measure_elliptic_invariants},
       {.id = "ELLIPTIC-5",
        .statement = "Which axis of the body is called x does not matter.",
        .function = "elliptic_flight",

@@ -20,7 +20,7 @@ namespace goishi::verify {
 namespace {
 
 /// The same stone for the loop, from the witnesses' shape and moments.
-PublishedStone published_stone(const Pebble& pebble) {
+PublishedStone as_published(const Pebble& pebble) {
   return {.sphere_radius = pebble.shape.sphere_radius,
           .sphere_offset = pebble.shape.sphere_offset,
           .ring_radius = pebble.shape.torus_radius,
@@ -161,7 +161,7 @@ std::vector<Question> between_impacts(Context& context, const Pebble& pebble, in
 
 Measurement measure_one_impact(Context& context) {
   const Pebble pebble = size_33(0.001);
-  const PublishedStone stone = published_stone(pebble);
+  const PublishedStone stone = as_published(pebble);
   const std::vector<Question> questions = between_impacts(context, pebble, context.samples(100, 200));
   const std::vector<double> rates = rates_up_to(960.0, context.tier() == Tier::quick ? 61440.0 : 245760.0);
   const Errors velocity = errors_of(context, stone, PublishedTurning::velocity, questions, rates);
@@ -245,7 +245,7 @@ Left left_after(Context& context, const Pebble& pebble, const PublishedStone& st
 
 Measurement measure_whole_drops(Context& context) {
   const Pebble pebble = size_33(0.001);
-  const PublishedStone stone = published_stone(pebble);
+  const PublishedStone stone = as_published(pebble);
   const std::vector<Question> questions = half_seconds(context, pebble, context.samples(40, 60));
   const std::vector<double> rates = rates_up_to(3840.0, context.tier() == Tier::quick ? 61440.0 : 245760.0);
   const Errors momentum = errors_of(context, stone, PublishedTurning::momentum, questions, rates);

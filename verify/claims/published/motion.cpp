@@ -27,7 +27,7 @@ constexpr double frame = 1.0 / 60.0;  // [s]
 constexpr double duration = 10.0;     // [s]
 
 /// Size 33 per unit of mass, lengths in cm.
-Moments<double> published_stone() {
+Moments<double> published_moments() {
   return mass_properties(make_stone(2.2, 0.92), Density{1.0}).moments_per_mass;
 }
 
@@ -50,7 +50,7 @@ double tilt(const State<double>& state) {
 /// One frame about the symmetry axis at 75 rad/s.
 void see_turn(Checks& checks, std::vector<Figure>& figures, const Context& context) {
   constexpr double rate = 75.0;  // [rad/s]
-  const Moments<double> moments = published_stone();
+  const Moments<double> moments = published_moments();
   State<double> start = published_start();
   start.L_W = Vec3<double>(0.0, 0.0, rate * moments.axial);
   const auto angle = [&](const State<double>& state) {
@@ -68,7 +68,7 @@ void see_turn(Checks& checks, std::vector<Figure>& figures, const Context& conte
 }
 
 Measurement measure_constant_velocity(Context& context) {
-  const Moments<double> moments = published_stone();
+  const Moments<double> moments = published_moments();
   const Stepper<double> loop = stepper_of(Scheme::published, moments);
   const State<double> start = published_start();
   const Vec3<double> w_WB = formula::angular_velocity_W(start, loop.body());
@@ -124,7 +124,7 @@ Measurement measure_parabola(Context& context) {
   // In cm, as the talk: gravity as printed, and as it is.
   const Vec3<double> printed_gravity = gravity_W(9.8 * 10.0);
   const Vec3<double> right_gravity = gravity_W(980.0);
-  const RigidBody<double> body = make_rigid_body(1.0, published_stone());
+  const RigidBody<double> body = make_rigid_body(1.0, published_moments());
   Checks checks;
   double late = 0.0;
   for (int i = 0; i < context.samples(200, 2000); ++i) {
@@ -169,7 +169,7 @@ struct Printed {
 };
 
 Measurement measure_explicit_euler(Context& context) {
-  const Moments<double> moments = published_stone();
+  const Moments<double> moments = published_moments();
   const Stepper<double> euler = stepper_of(Scheme::explicit_euler, moments);
   const State<double> start = published_start();
   const double energy = formula::rotational_energy(start, euler.body());
@@ -209,7 +209,7 @@ Measurement measure_explicit_euler(Context& context) {
 // --- PUBLISHED-10
 
 Measurement measure_exact(Context& context) {
-  const Moments<double> moments = published_stone();
+  const Moments<double> moments = published_moments();
   const State<double> start = published_start();
   const RigidBody<double> body = make_rigid_body(1.0, moments);
   const Flight flight = {body, start};

@@ -59,7 +59,7 @@ BoardDimensions<T> draw_dimensions(Context& context, int i) {
 }
 
 template <class T>
-std::string describe(const BoardDimensions<T>& d, int mode) {
+std::string describe_board(const BoardDimensions<T>& d, int mode) {
   return fmt::format("{} lines of {:a} × {:a}, borders {:a}, {:a}, thickness {:a}, legs {:a}, mode {}", d.lines,
                      d.spacing_x, d.spacing_y, d.border_x, d.border_y, d.thickness, d.legs, mode);
 }
@@ -137,7 +137,7 @@ void see_boards(Context& context, Checks& checks, int count) {
   for (int i = 0; i < count; ++i) {
     const BoardDimensions<T> d = draw_dimensions<T>(context, i);
     const int mode = mode_of(i);
-    const auto describe_it = [&] { return describe(d, mode); };
+    const auto describe_it = [&] { return describe_board(d, mode); };
     const Digits50 width = Digits50(d.lines - 1) * Digits50(d.spacing_x),
                    length = Digits50(d.lines - 1) * Digits50(d.spacing_y);
     const Digits50 half_width = width / 2 + Digits50(d.border_x), half_length = length / 2 + Digits50(d.border_y);
@@ -278,7 +278,7 @@ void see_hit(const Context& context, Checks& checks, const BoardRayHit<T>& hit, 
 }
 
 template <class T>
-void see_rays(Context& context, Checks& checks, int count) {
+void see_board_rays(Context& context, Checks& checks, int count) {
   for (int i = 0; i < count; ++i) {
     const Board<T> board = draw_any_board<T>(context, i);
     const Vec3<T> size(board.half_width, board.half_length, board.thickness);
@@ -330,10 +330,10 @@ void see_rays(Context& context, Checks& checks, int count) {
   see_choice(checks["refusals"], !answer_of(FE_TONEAREST, across), [] { return "taken: an exit that overflows"; });
 }
 
-Measurement measure_rays(Context& context) {
+Measurement measure_board_rays(Context& context) {
   Checks checks;
-  see_rays<double>(context, checks, context.samples(3000, 30'000));
-  see_rays<float>(context, checks, context.samples(3000, 30'000));
+  see_board_rays<double>(context, checks, context.samples(3000, 30'000));
+  see_board_rays<float>(context, checks, context.samples(3000, 30'000));
   return checks.measurement();
 }
 
@@ -380,7 +380,7 @@ std::vector<Claim> domain_board_claims() {
                    {"board/ray.hpp", "!(u_W[i] < T(0)) && !(T(0) < u_W[i])",
                     "!(u_W[i] < -std::numeric_limits<T>::min()) && !(std::numeric_limits<T>::min() < u_W[i])"},
                    {"board/ray.hpp", "result.p_W[first.axis] = first.high ? high[first.axis] : low[first.axis];", ""}},
-       .measure = measure_rays},
+       .measure = measure_board_rays},
   };
 }
 

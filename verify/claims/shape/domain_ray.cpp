@@ -124,7 +124,7 @@ void see_ray(const Context& context, Checks& checks, const Stone<T>& stone, cons
 }
 
 template <class T>
-void see_rays(Context& context, Checks& checks, int count) {
+void see_stone_rays(Context& context, Checks& checks, int count) {
   for (int i = 0; i < count; ++i) {
     const ShapeSample<T> shape = draw_any_shape<T>(context, i);
     const auto stone = answer_of(FE_TONEAREST, [&] { return make_stone(shape.width, shape.height, shape.bevel); });
@@ -141,10 +141,10 @@ void see_rays(Context& context, Checks& checks, int count) {
   }
 }
 
-Measurement measure_rays(Context& context) {
+Measurement measure_stone_rays(Context& context) {
   Checks checks;
-  see_rays<double>(context, checks, context.samples(1500, 9000));
-  see_rays<float>(context, checks, context.samples(1500, 9000));
+  see_stone_rays<double>(context, checks, context.samples(1500, 9000));
+  see_stone_rays<float>(context, checks, context.samples(1500, 9000));
   return checks.measurement();
 }
 
@@ -177,7 +177,7 @@ std::vector<Claim> domain_ray_claims() {
                   none("refusals", "what is taken or refused and should not be")},
        .mutants = {{"shape/ray.hpp", "const T rest = -near.dot(u_B);", "const T rest(0);"},
                    {"shape/ray.hpp", "std::numeric_limits<T>::max() / T(4)", "std::numeric_limits<T>::infinity()"}},
-       .measure = measure_rays},
+       .measure = measure_stone_rays},
   };
 }
 
