@@ -51,6 +51,7 @@ std::vector<Claim> all_claims() {
       {"claims/drop/rolling.cpp", drop_rolling_claims},
       {"claims/drop/friction.cpp", drop_friction_claims},
       {"claims/drop/spin.cpp", drop_spin_claims},
+      {"claims/drop/statics.cpp", drop_statics_claims},
       {"claims/drop/sliding.cpp", drop_sliding_claims},
       {"claims/drop/odeint.cpp", drop_odeint_claims},
       {"claims/drop/whole.cpp", drop_whole_claims},

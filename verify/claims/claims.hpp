@@ -59,6 +59,7 @@ namespace goishi::verify {
 [[nodiscard]] std::vector<Claim> drop_rolling_claims();      // DROP: what rolling keeps, ball, coin, Euler's disc
 [[nodiscard]] std::vector<Claim> drop_friction_claims();     // DROP: Jellett's integral, Coulomb–Contensou friction
 [[nodiscard]] std::vector<Claim> drop_spin_claims();         // DROP: threshold and settling tilts of a flat spin
+[[nodiscard]] std::vector<Claim> drop_statics_claims();      // DROP: what is held, and what the drop does with it
 [[nodiscard]] std::vector<Claim> drop_sliding_claims();      // DROP: sliding to a stop, slopes, waking
 [[nodiscard]] std::vector<Claim> drop_board_claims();        // DROP: on a board, over its edge
 [[nodiscard]] std::vector<Claim> drop_tolerance_claims();    // DROP: error by tolerance; float

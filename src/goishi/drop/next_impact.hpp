@@ -29,11 +29,6 @@ template <Ordered T>
 
 namespace detail {
 
-template <Ordered T>
-[[nodiscard]] Plane<T> floor_of(const Board<T>& board) {
-  return {Vec3<T>(T(0), T(0), T(1)), board.floor};
-}
-
 /// Whether the centre is over the primary region from now to t.
 template <Ordered T>
 [[nodiscard]] bool stays_inside(const Run<T>& run, const FlightPath<T>& path, const T& t) {
