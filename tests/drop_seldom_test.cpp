@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <goishi/drop/holds.hpp>
 
 #include "tests/thrown.hpp"
 
@@ -151,6 +152,22 @@ TEST(EdgeHops, AStoneLeansOnTwo) {
   const Drop<double> drop = stone.drop_on_board();
   EXPECT_EQ(drop.status, DropStatus::rest_leaning);
   EXPECT_LT(drop.time, 0.2);
+  // The statics that ended it, by themselves; and without the board it would not stay.
+  const Pose<double> there{drop.state.p_WB, drop.state.q_WB};
+  const Hold<double> hold = holds(stone.stone, there, board, stone.settings);
+  EXPECT_TRUE(hold.holds);
+  EXPECT_EQ(hold.contacts, 2);
+  stone.settings.touching = 1e-4;
+  EXPECT_FALSE(holds(stone.stone, there, Plane<double>{.offset = board.floor}, stone.settings).holds);
+  // What friction it needs is the limit: more holds it, less does not.
+  EXPECT_GT(hold.friction, 0.1);
+  EXPECT_LT(hold.friction, 1.0);
+  for (const double factor : {0.999, 1.001}) {
+    DropSettings<double> settings = stone.settings;
+    settings.touching = 1e-9;
+    settings.friction = factor * hold.friction * stone.settings.friction;
+    EXPECT_EQ(holds(stone.stone, there, board, settings).holds, 1.0 < factor) << factor;
+  }
 }
 
 // --- bounces
@@ -170,6 +187,10 @@ TEST(Bounces, AreClosedOnlyWhereNoneDiffers) {
     EXPECT_LT((early.state.p_WB - late.state.p_WB).norm(), 1e-8) << what;
     EXPECT_LT(early.state.q_WB.angularDistance(late.state.q_WB), 1e-6) << what;
   };
+  const auto nothing = [](Thrown&) {};  // flat, and straight down: one impact stands for all
+  EXPECT_LT(run(10.0, nothing).counters.impacts, 3);
+  EXPECT_GT(run(1e-7, nothing).counters.impacts, 10);
+  same(nothing, "falls flat");
   same(
       [](Thrown& stone) {
         stone = thrown(make_stone(0.022, 0.022));

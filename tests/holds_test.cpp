@@ -94,8 +94,9 @@ TEST(Holds, WithoutResistanceOnlyWhatIsBalanced) {
   leaning.settings = flat.settings;
   EXPECT_TRUE(flat.hold().holds);
   EXPECT_LT(flat.hold().tilt, 1e-9);
+  EXPECT_EQ(flat.hold().resistance, 0.0);
   EXPECT_FALSE(leaning.hold().holds);
-  EXPECT_GT(leaning.hold().resistance, 1e6);
+  EXPECT_EQ(leaning.hold().resistance, infinity);
 }
 
 TEST(Holds, NothingInTheAirAndEverythingWithoutGravity) {
@@ -107,7 +108,8 @@ TEST(Holds, NothingInTheAirAndEverythingWithoutGravity) {
   EXPECT_EQ(laid.hold().friction, infinity);
   laid.settings.gravity.setZero();
   EXPECT_TRUE(laid.hold().holds);
-  EXPECT_EQ(laid.hold().tilt, infinity);
+  EXPECT_EQ(laid.hold().tilt, std::acos(0.0));
+  EXPECT_TRUE(laid.hold());
 }
 
 TEST(Holds, GravityThatPullsAwayHoldsNothing) {
@@ -119,7 +121,7 @@ TEST(Holds, GravityThatPullsAwayHoldsNothing) {
   EXPECT_EQ(laid.hold().tilt, 0.0);
 }
 
-/// A ball on the floor against the board's side: as a ladder, it needs friction where it stands and where it leans.
+/// A ball on the floor against the board's side.
 TEST(Holds, BetweenFloorAndBoard) {
   const Board<double> board = make_board<double>();
   Laid laid;
@@ -134,6 +136,12 @@ TEST(Holds, BetweenFloorAndBoard) {
   EXPECT_EQ(towards.friction, 0.0);
   EXPECT_EQ(towards.resistance, 0.0);
   EXPECT_LT(towards.tilt, 1e-6);  // along the side it rolls at once
+  for (const double friction : {2.0, infinity}) {
+    laid.settings.friction = friction;
+    EXPECT_LT(holds(laid.stone, laid.pose, board, laid.settings).tilt, 1e-6);
+    EXPECT_EQ(holds(laid.stone, laid.pose, board, laid.settings).friction, 0.0);
+  }
+  laid.settings.friction = mu;
   laid.settings.gravity = {0.1, 0.0, -g_earth};
   EXPECT_FALSE(holds(laid.stone, laid.pose, board, laid.settings).holds);
   laid.settings.gravity = {-1.0, 0.1, -g_earth};
@@ -158,7 +166,7 @@ TEST(Holds, InFloat) {
   pose.p_WB.z() = -separation(stone, pose, Plane<float>{}).gap;
   const Hold<float> hold = holds(stone, pose, Plane<float>{}, DropSettings<float>{});
   EXPECT_TRUE(hold.holds);
-  EXPECT_NEAR(hold.tilt, std::atan(1e-4F / 0.0046F), 1e-3F);
+  EXPECT_NEAR(hold.tilt / std::atan(1e-4F / 0.0046F), 1.0F, 0.02F);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-# Files of a folder compiled as one: what they share, templates above all, is parsed and instantiated once. Names in their
-# anonymous namespaces must therefore differ.
+# Files of a folder compiled as one, up to nine: what they share, templates above all, is parsed and instantiated once. Names
+# in their anonymous namespaces must therefore differ.
 
 option(GOISHI_GROUPED "Compile the files of a folder together: half the work of a whole build, more after a small change" ON)
 
@@ -8,7 +8,7 @@ function(goishi_group target)
   if(NOT GOISHI_GROUPED)
     return()
   endif()
-  set(most ${ARGV1})
+  set(most ${ARGN})
   if(NOT most)
     set(most 9)
   endif()

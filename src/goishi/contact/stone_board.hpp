@@ -7,6 +7,7 @@
 #include <goishi/board/board.hpp>
 #include <goishi/contact/contact.hpp>
 #include <goishi/contact/octant.hpp>
+#include <goishi/contact/stone_plane.hpp>
 
 namespace goishi {
 
@@ -138,6 +139,12 @@ template <Ordered T>
 }
 
 }  // namespace detail
+
+/// What a board stands on.
+template <Ordered T>
+[[nodiscard]] Plane<T> floor_of(const Board<T>& board) {
+  return {{T(0), T(0), T(1)}, board.floor};
+}
 
 /// Separation of a stone and the board.
 ///

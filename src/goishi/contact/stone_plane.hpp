@@ -2,7 +2,6 @@
 /// \file
 /// Stone against a plane: one support.
 
-#include <goishi/board/board.hpp>
 #include <goishi/contact/contact.hpp>
 
 namespace goishi {
@@ -13,12 +12,6 @@ struct Plane {
   Vec3<T> n_W = {T(0), T(0), T(1)};  // unit, out of the solid
   T offset = T(0);                   // [m]
 };
-
-/// What a board stands on.
-template <Ordered T>
-[[nodiscard]] Plane<T> floor_of(const Board<T>& board) {
-  return {{T(0), T(0), T(1)}, board.floor};
-}
 
 namespace formula {
 

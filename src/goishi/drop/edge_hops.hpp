@@ -165,11 +165,9 @@ class EdgeHops {
     std::size_t count = 1;
     if (run_.board != nullptr) {
       const Pose<T> pose{p, run_.state.q_WB};
-      const Separation<T> other =
-          is_floor(contact) ? separation(run_.stone, pose, *run_.board)
-                            : separation(run_.stone, pose, Plane<T>{Vec3<T>(T(0), T(0), T(1)), run_.board->floor});
-      const T height = T(2) * scalar::sq(*run_.settings.edge_speed) / run_.contact_body.strength;
-      if (other.gap < height) {
+      const Separation<T> other = is_floor(contact) ? separation(run_.stone, pose, *run_.board)
+                                                    : separation(run_.stone, pose, floor_of(*run_.board));
+      if (other.gap < hop_height(run_.settings, run_.contact_body.strength)) {
         supports[count++] = {other.p_stone - p, other.n_W};
       }
     }

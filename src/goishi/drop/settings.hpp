@@ -110,6 +110,16 @@ template <Ordered T>
   return filled(settings, stone, T(scalar::sqrt(formula::dot(settings.gravity, settings.gravity))));
 }
 
+namespace detail {
+
+/// What micro-impacts leave of a gap   [m], twice as high as they go: what is no further away counts as touched.
+template <Ordered T>
+[[nodiscard]] T hop_height(const DropSettings<T>& all, const T& g) {
+  return T(2) * scalar::sq(*all.edge_speed) / g;
+}
+
+}  // namespace detail
+
 /// Throws InvalidArgument unless every setting is in its range.
 template <Ordered T>
 void require_settings(const DropSettings<T>& settings) {

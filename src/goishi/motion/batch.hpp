@@ -17,6 +17,7 @@ struct Eigen::NumTraits<std::experimental::simd<T, Abi>> : Eigen::GenericNumTrai
   using NonInteger = Real;
   using Nested = Real;
   using Literal = Real;
+  // NOLINTBEGIN(readability-identifier-naming): Eigen's names
   enum {
     IsInteger = 0,
     IsSigned = 1,
@@ -26,6 +27,7 @@ struct Eigen::NumTraits<std::experimental::simd<T, Abi>> : Eigen::GenericNumTrai
     AddCost = 1,
     MulCost = 1
   };
+  // NOLINTEND(readability-identifier-naming)
 };
 
 namespace goishi {

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <goishi/drop/holds.hpp>
 #include <numbers>
+#include <utility>
 
 #include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
@@ -52,6 +54,34 @@ struct LaidDown {
   }
 };
 
+/// The contact of a stone on the plane z = 0, from its centre: the lowest point of the cap's sphere, or of the rim's torus
+/// where the sphere's lies beyond the joint.
+Long3 lowest_point(const Geometry& shape, const Quat<double>& q_WB) {
+  Long3 u = (q_WB * Vec3<double>::UnitZ()).cast<Long>();
+  u = u.z() < 0 ? Long3(-u) : u;
+  const Long R = static_cast<Long>(shape.torus_radius), d = static_cast<Long>(shape.sphere_offset);
+  const Long r = static_cast<Long>(shape.sphere_radius);
+  const Long3 z = Long3::UnitZ(), on_sphere = d * u - r * z;
+  const Long from_axis = (on_sphere - on_sphere.dot(u) * u).norm();
+  if (from_axis <= R * r / std::hypot(R, d)) {
+    return on_sphere;
+  }
+  const Long3 down = -(z - z.dot(u) * u);
+  return R * down.normalized() - static_cast<Long>(shape.tube_radius) * z;
+}
+
+/// The shares of friction and resistance, by the moments of the weight about the contact.
+std::pair<Long, Long> needed_shares(const LaidDown& laid) {
+  const Long3 g = laid.settings.gravity.cast<Long>(), r = lowest_point(laid.pebble.shape, laid.start.q_WB);
+  const Long N = -g.z();
+  const Long3 torque = r.cross(g) / N;
+  // Neither resistance counts as less than a hundredth of the other.
+  const double roll = *laid.settings.rolling_resistance, pivot = *laid.settings.pivot_radius;
+  const Long delta = std::max(roll, pivot / 100.0), kappa = std::max(pivot, roll / 100.0);
+  return {std::hypot(g.x(), g.y()) / (N * static_cast<Long>(laid.settings.friction)),
+          std::hypot(torque.x() / delta, torque.y() / delta, torque.z() / kappa)};
+}
+
 Measurement measure_statics(Context& context) {
   Checks checks;
   int held = 0, moved = 0, near = 0;
@@ -62,13 +92,22 @@ Measurement measure_statics(Context& context) {
     const auto describe_it = [&] {
       return fmt::format("case {}: shares of friction {:.6g}, of resistance {:.6g}", i, hold.friction, hold.resistance);
     };
-    see_choice(checks["shares"], hold.holds == (share < 1.0), describe_it);
+    see_choice(checks["verdict"], hold.holds == (share < 1.0), describe_it);
+    const auto [friction, resistance] = needed_shares(laid);
+    const auto off = [&](double found, Long right) {
+      return as_double(std::fabs(context.produced(found) - right) / (1 + right));
+    };
+    // Round-off of the lever counts as resistance, which is the more the less there is.
+    const double least = std::min(*laid.settings.rolling_resistance, *laid.settings.pivot_radius);
+    checks["shares"].see(
+        std::max(off(hold.friction, friction), off(hold.resistance, resistance)) * (least / laid.pebble.stone.width),
+        describe_it);
     if (std::fabs(share - 1.0) < 0.01) {
       ++near;  // moves too slowly to tell
       continue;
     }
     const Drop<double> drop = goishi::drop(laid.pebble.stone, laid.pebble.body, laid.start, laid.settings);
-    const double way = (drop.state.p_WB - laid.start.p_WB).norm() / laid.pebble.stone.width +
+    const double way = (context.produced(drop.state.p_WB) - laid.start.p_WB).norm() / laid.pebble.stone.width +
                        drop.state.q_WB.angularDistance(laid.start.q_WB);
     if (share < 1.0) {
       ++held;
@@ -107,11 +146,15 @@ std::vector<Claim> drop_statics_claims() {
                     "moves. Its shares of friction and resistance say which, and gravity may lean by its tilt.",
        .function = "holds",
        .family = OracleFamily::relation,
-       .oracle = "the drop of the same stone, from rest",
+       .oracle =
+           "the drop of the same stone, from rest; the moments of its weight about the lowest point, in long double",
        .checks = {within("held", 1e-14, "of the width, and rad",
                          "it does not move, but for the round-off of its attitude", epsilon),
                   none("moves", "stones that stay, but are not held"),
-                  none("shares", "stones of which the shares say otherwise"), none("tilt", "wrong angles")},
+                  within("shares", 3e-13, "of 1 and the share, times w over the least resistance",
+                         "512 ε of the width count as resistance; measured 2026-11-30 with 20 seeds: up to 1.2e-13",
+                         epsilon),
+                  none("verdict", "stones of which the shares say otherwise"), none("tilt", "wrong angles")},
        .mutants = {{"drop/holds.hpp", "T(needed / (normal * static_friction(body_)))",
                     "T(T(1.1) * needed / (normal * static_friction(body_)))"},
                    {"drop/holds.hpp", "(lean(side, middle) ? low : high) = middle;",

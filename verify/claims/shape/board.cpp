@@ -84,8 +84,12 @@ Measurement measure_regions(Context& context) {
     }
     const Pose<double> pose = draw_board_pose(context, stone, board, i);
     const Separation<double> at = separation(stone, pose, board);
+    const double depth = std::fmax(0.0, -at.gap);
+    if (board.half_width < reach + depth || board.half_length < reach + depth) {
+      continue;  // likewise
+    }
     // One that overlaps may be pushed out over whatever is within its reach and depth.
-    const Region region = region_of(board, pose.p_WB, context.produced(reach) + std::fmax(0.0, -at.gap));
+    const Region region = region_of(board, pose.p_WB, context.produced(reach) + depth);
     ++regions[static_cast<std::size_t>(region)];
     // What touches, or is no deeper than it takes for the shortest way out to be another.
     const bool touches = std::fabs(at.gap) < 1e-3 * reach || (at.gap < 0.0 && pose.p_WB.z() > -stone.height / 2.0);
