@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <goishi/drop/dormand_prince.hpp>
+#include <goishi/drop/runge_kutta.hpp>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -76,7 +76,7 @@ are symbols too. The points where it asks for them, $y + h \sum a_{ij} k_j$, are
 \sum b_j k_j$, are its weights; its error, $h \sum (b_j - \hat b_j) k_j$, has those of the embedded method. A method
 is of order $p$ for every $f$ if $\sum b_i \phi_i(t) = 1/\gamma(t)$ for all rooted trees $t$ of up to $p$ vertices
 (Butcher).)");
-  document.shipped("detail::dormand_prince", "drop/dormand_prince.hpp");
+  document.shipped("detail::dormand_prince", "drop/runge_kutta.hpp");
   const symbol y("y"), h("h");
   Row k = {symbol("k1")};
   Row asked;
@@ -85,7 +85,9 @@ is of order $p$ for every $f$ if $\sum b_i \phi_i(t) = 1/\gamma(t)$ for all root
     k.push_back(symbol("k" + std::to_string(asked.size() + 1)));
     return std::array<Exact, 1>{Exact(k.back())};
   };
-  const auto trial = goishi::detail::dormand_prince(std::array{Exact(y)}, std::array{Exact(k.front())}, Exact(h), rate);
+  goishi::detail::Trial<Exact, 1> trial;
+  const std::array<Exact, 1> first = {Exact(k.front())};
+  goishi::detail::dormand_prince(std::array{Exact(y)}, first, Exact(h), trial, rate);
   Tableau A = {Row(k.size(), 0)};
   for (const ex& point : asked) {
     A.push_back(coefficients(point, y, h, k));
@@ -115,6 +117,69 @@ is of order $p$ for every $f$ if $\sum b_i \phi_i(t) = 1/\gamma(t)$ for all root
           is_positive(least_of_altered({A}, embedded,
                                        [&](const auto& parts, const Row& of) { return left(parts, weights, of); }) -
                       power_of_ten(-6)));
+
+  document.section("The polynomial along a step of it");
+  document.text(
+      R"(Through both ends with the rates there, and bent by $\theta^2 (1 - \theta)^2$ times the shipped sum of rates: $y +
+h \sum b_j(\theta) k_j$, of degree 4. A method whose step is $\theta h$ long has the tableau $a_{ij}/\theta$ and the
+weights $b_j(\theta)/\theta$; both sides of a condition are polynomials of degree 4 that are 0 at $\theta = 0$, so that
+five more places prove it.)");
+  document.shipped("detail::bend_of", "drop/runge_kutta.hpp");
+  document.shipped("detail::interpolant", "drop/runge_kutta.hpp");
+  const auto along = goishi::detail::interpolant(std::array{Exact(y)}, first, trial.y, trial.rate, Exact(h),
+                                                 goishi::detail::bend_of(trial, first, Exact(h)));
+  const auto defect = [&](int low, int high, const ex& theta, const ex& altered) {
+    Tableau scaled = A;
+    for (Row& row : scaled) {
+      for (ex& entry : row) {
+        entry = entry / theta;
+      }
+    }
+    Row with = coefficients((along(Exact(theta))[0].value() * altered).expand(), y * altered, h, k);
+    for (ex& weight : with) {
+      weight = weight / theta;
+    }
+    return largest_defect(low, high, {scaled}, with);
+  };
+  bool holds = true;
+  for (int i = 1; i <= 5; ++i) {
+    holds = holds && defect(1, 4, ex(i) / 6, 1).is_zero();
+  }
+  document.check("it satisfies all 8 conditions up to order 4, for every $\\theta$", holds);
+  document.check("and not those of order 5", is_positive(defect(5, 5, ex(1) / 2, 1) - power_of_ten(-4)));
+  document.check("with a thousandth more of it they fail", is_positive(defect(1, 4, ex(1) / 2, ex(1001) / 1000) - power_of_ten(-6)));
+}
+
+/// What any interpolant is led through.
+void interpolants(Document& document) {
+  document.section("Polynomials along a step");
+  using Along = goishi::detail::Interpolant<Exact, 1>;
+  const symbol h("h"), a("a"), b("b"), u("u"), v("v"), e("e"), t("t"), p("p"), q("q");
+  const auto one = [](const ex& value) { return std::array{Exact(value)}; };
+  const auto value = [&](const Along& along) { return along(Exact(t))[0].value(); };
+  const Along rough = goishi::detail::interpolant(one(a), one(u), one(b), one(v), Exact(h), one(e));
+  const auto leads = [&](const ex& form) {
+    return (form.subs(t == 0) - a).expand().is_zero() && (form.subs(t == 1) - b).expand().is_zero() &&
+           (form.diff(t).subs(t == 0) - h * u).expand().is_zero() &&
+           (form.diff(t).subs(t == 1) - h * v).expand().is_zero();
+  };
+  document.check("it goes through both ends, with the rates there", leads(value(rough)));
+  document.check("and not through any others", !leads(value(rough) + t) && !leads(value(rough) + pow(t, 2) * (t - 1)));
+  document.shipped("detail::sharpened", "drop/runge_kutta.hpp");
+  int asked = 0;
+  ex places = 0;
+  const Along sharp = goishi::detail::sharpened(rough, Exact(h), [&](const std::array<Exact, 1>& place) {
+    places += (place[0].value() - value(rough).subs(t == ex(++asked) / 3)).expand() * pow(p, asked);
+    return one(asked == 1 ? p : q);
+  });
+  const ex slope = value(sharp).diff(t);
+  document.check("the rates at a third and two thirds are asked for where the polynomial is there",
+                 asked == 2 && places.expand().is_zero());
+  document.check("it then has them as its slopes, and the ends as before",
+                 leads(value(sharp)) && (slope.subs(t == ex(1) / 3) - h * p).expand().is_zero() &&
+                     (slope.subs(t == ex(2) / 3) - h * q).expand().is_zero());
+  document.check("a part of it is the same polynomial",
+                 (value(sharp.cut(Exact(e))) - value(sharp).subs(t == e * t)).expand().is_zero());
 }
 
 void additive(Document& document) {
@@ -124,7 +189,7 @@ void additive(Document& document) {
 explicit one, the same weights; the stiff part may be one component. The trees' vertices then have two colours.
 Weights, embedded weights and the implicit tableau are exact. Of the explicit one most entries are fractions that its
 authors rounded to 25 digits.)");
-  document.shipped("detail::AdditiveTableau", "drop/dormand_prince.hpp");
+  document.shipped("detail::AdditiveTableau", "drop/runge_kutta.hpp");
   using Shipped = goishi::detail::AdditiveTableau<Exact>;
   constexpr std::size_t stages = Shipped::stages;
   Tableau E(stages, Row(stages, 0)), I = E;
@@ -197,6 +262,7 @@ b^\mathsf{T})/\det(1 - zA) = P/Q$, $Q(0) = 1$.)");
 int main() {
   return derive("Runge–Kutta pairs", [](Document& document) {
     dormand_prince(document);
+    interpolants(document);
     additive(document);
   });
 }

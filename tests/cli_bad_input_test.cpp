@@ -102,7 +102,7 @@ std::vector<Place> places() {
       place(drop + "--tolerance @", "0", ""),
       {"drop --size 33 --from 5cm --until @", "1", until, time_units},
       whole("drop --size 33 --from 5cm --until @-impacts", "2", until),
-      whole(drop + "--csv /dev/null --series @", "3", rows),
+      whole(drop + "--csv /dev/null --series @", "3", rows + "0"),
   };
   const std::pair<std::string, std::string> stones[] = {{"inertia", ""},
                                                         {"spin", "--spin 1,2,3 --time 1 "},

@@ -91,8 +91,8 @@ TEST_F(CliDropError, BeyondTheRangeOfADouble) {
 TEST_F(CliDropError, Output) {
   expect_each("format", {"", "csv", "xml", "JSON"}, "must be text or json");
   const std::string file = (work() / "a.csv").string();
-  expect_each("series", {"0", "1", "-2", "2.5", "100001", "99999999999999999999"},
-              "must be a whole number from 2 to 100000", {"--csv", file});
+  expect_each("series", {"0", "1", "-2", "2.5", "1000001", "99999999999999999999"},
+              "must be a whole number from 2 to 1000000", {"--csv", file});
   EXPECT_TRUE(files().empty());
   const std::string nowhere = (work() / "none" / "a.csv").string();
   expect({"--series", "3", "--csv", nowhere}, "csv = " + nowhere + ": cannot be written: No such file or directory");

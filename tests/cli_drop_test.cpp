@@ -102,7 +102,7 @@ TEST_F(CliDrop, JsonHasTheKeysInOrderAnd17Digits) {
             "      \"contact_evaluations\": 1,\n"
             "      \"steps_accepted\": 0,\n"
             "      \"steps_rejected\": 0,\n"
-            "      \"steps_located\": 0,\n"
+            "      \"evaluations_located\": 0,\n"
             "      \"edge_impacts\": 0\n"
             "    }\n"
             "  }\n"
@@ -192,7 +192,7 @@ TEST_F(CliDrop, AgreesWithTheLibrary) {
       Settings settings;
       settings.horizon = 0.25;
       one.set(settings);
-      const Drop<double> expected =
+      const DropResult<double> expected =
           on_board ? drop(stone, body, start, make_board<double>(), settings) : drop(stone, body, start, settings);
       const Words words = words_of(
           "--bevel 1mm --mass 5g --from 2cm --position 0.1,-0.2 --tilt 25 --tilt-axis 0,3,4 --velocity 0.1,-0.05,-0.3 "

@@ -52,7 +52,7 @@ TEST(DropLimits, NoEnergyFromNothing) {
   along.settings.gravity = {1.0, 0.0, 0.0};
   along.settings.horizon = 0.1;
   along.start.p_WB.z() = 0.0046;
-  const Drop<double> drop = along.drop();
+  const DropResult<double> drop = along.drop();
   EXPECT_EQ(drop.status, DropStatus::moving);
   EXPECT_NEAR(drop.state.v_WB.x(), 0.1, 1e-15);
   EXPECT_NEAR(drop.state.v_WB.z(), 0.0, 1e-15);
@@ -64,7 +64,7 @@ TEST(DropLimits, AnInfiniteHorizonHasFiniteTimes) {
   stone.settings.horizon = infinity;
   stone.start.p_WB.z() = 0.0046;
   stone.start.v_WB.x() = 0.1;
-  const Drop<double> drop = stone.drop();
+  const DropResult<double> drop = stone.drop();
   EXPECT_EQ(drop.status, DropStatus::rest);
   EXPECT_NEAR(drop.time, 0.1 / (0.01 * g_earth), 1e-12);
   for (const Event<double>& event : drop.events) {
@@ -79,7 +79,7 @@ TEST(DropLimits, ThinStonesComeToRest) {
         Thrown stone = thrown(make_stone(0.022, 0.022 * thin, 0.022 * thin * bevel));
         stone.tilt(degrees);
         stone.settings.tolerance = 1e-6;
-        const Drop<double> drop = stone.drop_on_board();
+        const DropResult<double> drop = stone.drop_on_board();
         EXPECT_EQ(drop.status, DropStatus::rest) << thin << ", " << bevel << ", " << degrees;
         EXPECT_LT(drop.counters.work(), 200000) << thin << ", " << bevel << ", " << degrees;
       }
@@ -95,7 +95,7 @@ TEST(DropLimits, NothingThatNeverEndsIsFollowedWithoutEnd) {
   stone.settings.maximum_steps = 20000;
   stone.settings.restitution = 0.3;
   stone.tilt(20.0);
-  const Drop<double> drop = stone.drop();
+  const DropResult<double> drop = stone.drop();
   EXPECT_EQ(drop.status, DropStatus::too_many_steps);
   EXPECT_GE(drop.counters.work(), 20000);
   EXPECT_LE(drop.counters.work(), 21000);
@@ -110,7 +110,7 @@ TEST(DropLimits, PivotFrictionFarAboveRollingResistanceEnds) {
   stone.spin({10.0, 5.0, 10.0});
   stone.settings.pivot_radius = 1e-3;
   stone.settings.rolling_resistance = 1e-5;
-  const Drop<double> drop = stone.drop();
+  const DropResult<double> drop = stone.drop();
   EXPECT_EQ(drop.status, DropStatus::rest);
   EXPECT_LT(drop.counters.contact_evaluations, 500000);
 }
@@ -120,7 +120,7 @@ TEST(DropLimits, StickAndSlipDoNotAlternateAtOneTime) {
     Thrown stone;
     stone.tilt(20.0);
     stone.settings.rolling_resistance = delta;
-    const Drop<double> drop = stone.drop();
+    const DropResult<double> drop = stone.drop();
     EXPECT_EQ(drop.status, DropStatus::rest) << delta;
     for (std::size_t i = 1; i < drop.events.size(); ++i) {
       const Event<double>&a = drop.events[i - 1], &b = drop.events[i];
@@ -156,7 +156,7 @@ TEST(DropLimits, TheSteepestDiscOnASlopeIsBounded) {
   disc.start.p_WB.z() = 0.02;
   disc.tilt(30.0);
   disc.spin({20.0, 10.0, 30.0});
-  const Drop<double> drop = disc.drop();
+  const DropResult<double> drop = disc.drop();
   EXPECT_NE(drop.status, DropStatus::not_converged);
   EXPECT_LE(drop.counters.work(), 2000000 + 1000000);
 }
@@ -171,12 +171,12 @@ TEST(DropLimits, LawsThatDoNotStickDoNotRestOnASlope) {
   stone.start.p_WB.z() = 0.0046;
   stone.settings.friction_model = FrictionModel::slip_proportional;
   stone.settings.slip_coefficient = 1.0;
-  const Drop<double> proportional = stone.drop();
+  const DropResult<double> proportional = stone.drop();
   EXPECT_EQ(proportional.status, DropStatus::moving);
   const double fast = 0.085578 / 9.80628;
   EXPECT_NEAR(proportional.state.v_WB.x(), fast * -std::expm1(-9.80628), 1e-10);
   stone.settings.friction_model = FrictionModel::coulomb_contensou;
-  const Drop<double> patch = stone.drop();
+  const DropResult<double> patch = stone.drop();
   EXPECT_EQ(patch.status, DropStatus::moving);
   EXPECT_GT(patch.state.v_WB.x(), 1e-7);
   stone.settings.friction_model = FrictionModel::dry;
@@ -192,7 +192,7 @@ TEST(DropLimits, ABallBeyondTheEdgeFalls) {
   ball.settings.friction = infinity;
   const double rate = std::sqrt(5.0 * g_earth / (7.0 * R)), time = std::acosh(100.0) / rate;
   ball.settings.horizon = time;
-  const Drop<double> early = ball.drop_on_board();
+  const DropResult<double> early = ball.drop_on_board();
   EXPECT_EQ(early.status, DropStatus::moving);
   EXPECT_NEAR((early.state.p_WB.x() - edge) / c, 100.0, 5.0);
   ball.settings.horizon = 0.4;
@@ -215,7 +215,7 @@ TEST(DropLimits, AStoneOfAnySizeFallsOffTheEdge) {
     stone.settings.rolling_resistance = stone.settings.pivot_radius = 0.0;
     stone.start.p_WB = {board.half_width + 1e-3 * size, 0.0, 0.00465 * size};
     stone.settings.horizon = 2.0 * std::sqrt(size);
-    const Drop<double> drop = goishi::drop(stone.stone, stone.body, stone.start, board, stone.settings);
+    const DropResult<double> drop = goishi::drop(stone.stone, stone.body, stone.start, board, stone.settings);
     EXPECT_LT(drop.state.p_WB.z(), -0.1 * size) << size;
   }
 }
@@ -250,7 +250,7 @@ TEST(DropLimits, WorksInFloat) {
                              .v_WB = {0.0F, 0.0F, 0.0F},
                              .L_W = {0.0F, 0.0F, 0.0F}};
     EXPECT_EQ(drop(stone, body, start).status, DropStatus::rest);
-    const Drop<float> on_board = drop(stone, body, start, board);
+    const DropResult<float> on_board = drop(stone, body, start, board);
     EXPECT_EQ(on_board.status, DropStatus::rest);
     const Separation<float> touch =
         separation(stone, Pose<float>{on_board.state.p_WB, on_board.state.q_WB},

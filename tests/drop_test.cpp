@@ -2,31 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include <goishi/mass/inertia.hpp>
 #include <limits>
 
-#include "compiled/drop.hpp"
 #include "tests/allocations.hpp"
+#include "tests/thrown.hpp"
 
 namespace goishi::drop_test {
 
 namespace {
 
-struct Thrown {
-  Stone<double> stone = make_stone(0.022, 0.0092, 0.001);
-  RigidBody<double> body = make_rigid_body(mass_properties(stone, Density{2800.0}));
-  State<double> start{
-      .p_WB = {0.0, 0.0, 0.05}, .q_WB = Quat<double>::Identity(), .v_WB = {0.0, 0.0, 0.0}, .L_W = {0.0, 0.0, 0.0}};
-};
-
-Thrown tumbling() {
-  Thrown thrown;
-  thrown.start.q_WB = Quat<double>(0.5, 0.5, -0.1, 0.7).normalized();
-  thrown.start.L_W = {3e-6, -2e-6, 4e-6};
-  return thrown;
-}
-
-int count(const Drop<double>& drop, EventKind kind) {
+int count(const DropResult<double>& drop, EventKind kind) {
   int found = 0;
   for (const Event<double>& event : drop.events) {
     found += event.kind == kind ? 1 : 0;
@@ -36,7 +21,7 @@ int count(const Drop<double>& drop, EventKind kind) {
 
 TEST(Drop, FlatStoneEndsAtTheSumOfItsBounces) {
   const Thrown thrown;
-  const Drop<double> drop = goishi::drop(thrown.stone, thrown.body, thrown.start);
+  const DropResult<double> drop = goishi::drop(thrown.stone, thrown.body, thrown.start);
   const double t0 = std::sqrt(2.0 * (0.05 - 0.0046) / 9.80665);
   EXPECT_EQ(drop.status, DropStatus::rest);
   EXPECT_NEAR(drop.time, 3.0 * t0, 1e-13);
@@ -51,7 +36,7 @@ TEST(Drop, FlatStoneEndsAtTheSumOfItsBounces) {
 
 TEST(Drop, RecordsWhatHappens) {
   const Thrown thrown = tumbling();
-  const Drop<double> drop = goishi::drop(thrown.stone, thrown.body, thrown.start);
+  const DropResult<double> drop = goishi::drop(thrown.stone, thrown.body, thrown.start);
   ASSERT_EQ(drop.status, DropStatus::rest);
   double time = 0.0, energy = std::numeric_limits<double>::infinity();
   for (const Event<double>& event : drop.events) {
@@ -73,8 +58,8 @@ TEST(Drop, RecordsWhatHappens) {
 
 TEST(Drop, IsTheSameOnTheMiddleOfTheBoard) {
   const Thrown thrown = tumbling();
-  const Drop<double> plane = goishi::drop(thrown.stone, thrown.body, thrown.start);
-  const Drop<double> board = goishi::drop(thrown.stone, thrown.body, thrown.start, make_board<double>());
+  const DropResult<double> plane = goishi::drop(thrown.stone, thrown.body, thrown.start);
+  const DropResult<double> board = goishi::drop(thrown.stone, thrown.body, thrown.start, make_board<double>());
   EXPECT_EQ(plane.time, board.time);
   EXPECT_EQ(plane.state.p_WB, board.state.p_WB);
   EXPECT_EQ(plane.counters.separations, board.counters.separations);  // one axis, as on the plane
@@ -84,12 +69,12 @@ TEST(Drop, StopsWhenItIsTold) {
   const Thrown thrown = tumbling();
   DropSettings<double> settings;
   settings.maximum_impacts = 3;
-  const Drop<double> three = goishi::drop(thrown.stone, thrown.body, thrown.start, settings);
+  const DropResult<double> three = goishi::drop(thrown.stone, thrown.body, thrown.start, settings);
   EXPECT_EQ(three.status, DropStatus::moving);
   EXPECT_EQ(three.counters.impacts, 3);
   settings = {};
   settings.horizon = 0.25;
-  const Drop<double> early = goishi::drop(thrown.stone, thrown.body, thrown.start, settings);
+  const DropResult<double> early = goishi::drop(thrown.stone, thrown.body, thrown.start, settings);
   EXPECT_EQ(early.status, DropStatus::moving);
   EXPECT_EQ(early.time, 0.25);
   settings = {};
@@ -102,30 +87,33 @@ TEST(Drop, StopsWhenItIsTold) {
 
 TEST(Drop, GoesOnFromWhereItStopped) {
   const Thrown thrown = tumbling();
-  DropSettings<double> settings;
-  const Drop<double> whole = goishi::drop(thrown.stone, thrown.body, thrown.start, settings);
-  settings.horizon = 0.2;
-  const Drop<double> first = goishi::drop(thrown.stone, thrown.body, thrown.start, settings);
-  settings.horizon = 60.0;
-  const Drop<double> second = woken<double>(first, thrown.stone, thrown.body, nullptr, settings);
-  EXPECT_EQ(second.events.front().kind, EventKind::woken);
-  EXPECT_NEAR(second.time, whole.time, 1e-7);
-  EXPECT_NEAR((second.state.p_WB - whole.state.p_WB).norm(), 0.0, 1e-7);
+  const DropResult<double> whole = goishi::drop(thrown.stone, thrown.body, thrown.start);
+  Drop<double> drop(thrown.stone, thrown.body, thrown.start);
+  drop.advance_to(0.2);
+  std::vector<Event<double>> told;
+  drop.change(DropSettings<double>{}, told);  // to the same ones: it begins anew there
+  EXPECT_EQ(told.front().kind, EventKind::woken);
+  const DropResult<double> rest = followed(drop);
+  EXPECT_NEAR(rest.time, whole.time, 1e-7);
+  EXPECT_NEAR((rest.state.p_WB - whole.state.p_WB).norm(), 0.0, 1e-7);
 }
 
 TEST(Drop, RestGoesOnUntilGravityMovesIt) {
   const Thrown thrown;
-  const Drop<double> rest = goishi::drop(thrown.stone, thrown.body, thrown.start);
-  DropSettings<double> settings;
+  Drop<double> rested(thrown.stone, thrown.body, thrown.start);
+  const int steps = followed(rested).counters.steps_accepted;
   const auto on_slope = [&](double angle) {
+    DropSettings<double> settings;
     settings.gravity = 9.80665 * Vec3<double>(std::sin(angle), 0.0, -std::cos(angle));
-    settings.horizon = rest.time + 0.5;
-    return woken<double>(rest, thrown.stone, thrown.body, nullptr, settings);
+    settings.horizon = 0.5;
+    Drop<double> again = rested;
+    again.change(settings);
+    return followed(again);
   };
   EXPECT_EQ(on_slope(0.0).status, DropStatus::rest);
-  EXPECT_EQ(on_slope(0.0).counters.steps_accepted, 0);
+  EXPECT_EQ(on_slope(0.0).counters.steps_accepted, steps);
   EXPECT_EQ(on_slope(0.005).status, DropStatus::rest);  // within δ/(r − d)
-  const Drop<double> slid = on_slope(0.5);              // beyond atan μ
+  const DropResult<double> slid = on_slope(0.5);              // beyond atan μ
   EXPECT_EQ(slid.status, DropStatus::moving);
   EXPECT_GT(slid.state.p_WB.x(), 0.1);
 }
@@ -135,7 +123,7 @@ TEST(Drop, FallsOffTheBoardOntoTheFloor) {
   const Board<double> board = make_board<double>();
   thrown.start.p_WB.x() = board.half_width - 0.02;
   thrown.start.v_WB = {0.5, 0.0, 0.0};
-  const Drop<double> drop = goishi::drop(thrown.stone, thrown.body, thrown.start, board);
+  const DropResult<double> drop = goishi::drop(thrown.stone, thrown.body, thrown.start, board);
   EXPECT_EQ(drop.status, DropStatus::rest);
   EXPECT_EQ(drop.ground, Ground::floor);
   const Plane<double> floor{Vec3<double>(0.0, 0.0, 1.0), board.floor};
@@ -173,7 +161,7 @@ TEST(Drop, FliesOnWithoutGravity) {
 TEST(Drop, SaysHowDeepAStartIsInside) {
   Thrown thrown;
   thrown.start.p_WB.z() = 0.004;
-  const Drop<double> drop = goishi::drop(thrown.stone, thrown.body, thrown.start);
+  const DropResult<double> drop = goishi::drop(thrown.stone, thrown.body, thrown.start);
   EXPECT_EQ(drop.status, DropStatus::start_inside);
   EXPECT_NEAR(drop.depth, 0.0006, 1e-15);
   EXPECT_EQ(goishi::drop(thrown.stone, thrown.body, thrown.start, make_board<double>()).status,
@@ -185,7 +173,7 @@ TEST(Drop, AllocatesForItsEventsAlone) {
   DropSettings<double> settings;
   settings.maximum_impacts = 10;
   const long before = test::allocations();
-  const Drop<double> drop = goishi::drop(thrown.stone, thrown.body, thrown.start, settings);
+  const DropResult<double> drop = goishi::drop(thrown.stone, thrown.body, thrown.start, settings);
   EXPECT_EQ(test::allocations() - before, 1);
   EXPECT_EQ(drop.counters.impacts, 10);
 }
@@ -197,9 +185,9 @@ TEST(Drop, WorksInLongDouble) {
                                  .q_WB = Quat<long double>(0.5L, 0.5L, -0.1L, 0.7L).normalized(),
                                  .v_WB = {0.0L, 0.0L, 0.0L},
                                  .L_W = {3e-6L, -2e-6L, 4e-6L}};
-  const Drop<long double> drop = goishi::drop(stone, body, start);
+  const DropResult<long double> drop = goishi::drop(stone, body, start);
   const Thrown thrown = tumbling();
-  const Drop<double> in_double = goishi::drop(thrown.stone, thrown.body, thrown.start);
+  const DropResult<double> in_double = goishi::drop(thrown.stone, thrown.body, thrown.start);
   EXPECT_EQ(drop.status, DropStatus::rest);
   EXPECT_NEAR(static_cast<double>(drop.time), in_double.time, 1e-7);
 }

@@ -25,11 +25,19 @@ struct Thrown {
     start.q_WB = Quat<double>(std::cos(half), 0.0, std::sin(half), 0.0);
   }
   void spin(const Vec3<double>& w_B) { start.L_W = formula::angular_momentum_W(start.q_WB, body, w_B); }
-  [[nodiscard]] Drop<double> drop() const { return goishi::drop(stone, body, start, settings); }
-  [[nodiscard]] Drop<double> drop_on_board() const {
+  [[nodiscard]] DropResult<double> drop() const { return goishi::drop(stone, body, start, settings); }
+  [[nodiscard]] DropResult<double> drop_on_board() const {
     return goishi::drop(stone, body, start, make_board<double>(), settings);
   }
 };
+
+/// Turned and spinning, about no axis of its own.
+[[nodiscard]] inline Thrown tumbling() {
+  Thrown thrown;
+  thrown.start.q_WB = Quat<double>(0.5, 0.5, -0.1, 0.7).normalized();
+  thrown.start.L_W = {3e-6, -2e-6, 4e-6};
+  return thrown;
+}
 
 /// Of this shape.
 [[nodiscard]] inline Thrown thrown(const Stone<double>& stone) {

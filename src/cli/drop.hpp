@@ -33,10 +33,11 @@ struct DropOptions {
   std::optional<std::string> format;
   std::optional<std::string> series;
   std::optional<std::string> csv;
+  std::optional<std::string> at;
 };
 
 /// A series has from 2 to this many rows.
-inline constexpr int most_drop_rows = 100'000;
+inline constexpr int most_drop_rows = 1'000'000;
 
 /// Prints to standard output, and the series to its file. Exit status: 0; 1 when the drop was given up, 3 when the stone
 /// starts inside what it is dropped on, both of which are said on standard error, too. InvalidArgument for the options'

@@ -24,7 +24,7 @@ and touched_feature where there are such, and velocity_before, spin_body_before 
 change; final has the state at the end, its status and what it cost. lower_order: a contact
 at an edge, a side or two places was passed by micro-impacts.
 CSV: times from the start to the end of the drop, both included; height is that of the
-centre. In flight a row is exact, in the contact phase the drop goes on from row to row.
+centre. In flight a row is exact, in contact it is interpolated along the steps.
 
 Examples:
   goishi drop --size 33 --bevel 1mm --from 5cm --tilt 20 --spin 0,0,10
@@ -98,6 +98,7 @@ void add_drop(CLI::App& app, DropOptions& options) {
       drop, options.series, "--series", "N",
       fmt::format("Also write N rows of CSV, evenly in time, to the file of --csv;\nN from 2 to {}", most_drop_rows));
   add_value(drop, options.csv, "--csv", "FILE", "Where to, all or nothing");
+  add_value(drop, options.at, "--at", "TIME", "Also print the state at this time");
   drop.footer(numbers_note({measure::length, measure::velocity, measure::acceleration, measure::spin, measure::angle,
                             measure::density, measure::mass, measure::time, measure::slip_coefficient}) +
               drop_notes);

@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include <goishi/error.hpp>
+#include <iterator>
 
 #include "drop_text.hpp"
 #include "json.hpp"
@@ -11,7 +14,7 @@ class DropWriter {
  public:
   explicit DropWriter(const DropScene& scene) : scene_(scene), writer_(buffer_) { writer_.SetIndent(' ', 2); }
 
-  [[nodiscard]] std::string text(const Drop<double>& drop) {
+  [[nodiscard]] std::string text(const DropResult<double>& drop, const std::optional<DropSample>& asked) {
     writer_.StartObject();
     write_key(writer_, "events");
     writer_.StartArray();
@@ -19,6 +22,13 @@ class DropWriter {
       write(event);
     }
     writer_.EndArray();
+    if (asked) {
+      write_key(writer_, "at");
+      writer_.StartObject();
+      member("time", asked->time);
+      write_sample(*asked);
+      writer_.EndObject();
+    }
     write_key(writer_, "final");
     write_end(drop);
     writer_.EndObject();
@@ -83,7 +93,7 @@ class DropWriter {
     writer_.EndObject();
   }
 
-  void write_end(const Drop<double>& drop) {
+  void write_end(const DropResult<double>& drop) {
     writer_.StartObject();
     member("status", to_string(drop.status));
     member("touched", to_string(touched_last(scene_, drop)));
@@ -103,7 +113,7 @@ class DropWriter {
     member("contact_evaluations", counters.contact_evaluations);
     member("steps_accepted", counters.steps_accepted);
     member("steps_rejected", counters.steps_rejected);
-    member("steps_located", counters.steps_located);
+    member("evaluations_located", counters.evaluations_located);
     member("edge_impacts", counters.edge_impacts);
     writer_.EndObject();
     writer_.EndObject();
@@ -116,8 +126,8 @@ class DropWriter {
 
 }  // namespace
 
-std::string to_json(const DropScene& scene, const Drop<double>& drop) {
-  return DropWriter(scene).text(drop);
+std::string to_json(const DropScene& scene, const DropResult<double>& drop, const std::optional<DropSample>& asked) {
+  return DropWriter(scene).text(drop, asked);
 }
 
 std::string to_csv(const std::vector<DropSample>& samples) {
@@ -131,9 +141,9 @@ std::string to_csv(const std::vector<DropSample>& samples) {
     const double numbers[] = {s.p_WB.x(), s.p_WB.y(), s.p_WB.z(),  s.q_WB.w(),   s.q_WB.x(), s.q_WB.y(),
                               s.q_WB.z(), s.v_WB.x(), s.v_WB.y(),  s.v_WB.z(),   w.x(),      w.y(),
                               w.z(),      s.p_WB.z(), sample.tilt, sample.energy};
-    text += seventeen_digits(Number(sample.time));
+    fmt::format_to(std::back_inserter(text), "{:.17g}", sample.time);
     for (const double number : numbers) {
-      text += "," + seventeen_digits(Number(number));
+      fmt::format_to(std::back_inserter(text), ",{:.17g}", number);
     }
     text += "\n";
   }

@@ -2,9 +2,9 @@
 /// \file
 /// The drop that `goishi drop` prints, and what it is at any time between its events.
 
-#include <goishi/drop/events.hpp>
 #include <vector>
 
+#include "compiled/drop.hpp"
 #include "drop_scene.hpp"
 
 namespace goishi::cli {
@@ -20,6 +20,7 @@ struct DropSample {
 
 [[nodiscard]] DropSample sample_of(const DropScene& scene, double time, const State<double>& state);
 
+/// The drop, about to begin.
 [[nodiscard]] Drop<double> drop_of(const DropScene& scene);
 
 /// What an event's contact is with.
@@ -29,13 +30,9 @@ enum class Touched { nothing, board, plane, floor };
 
 [[nodiscard]] Touched touched_at(const DropScene& scene, const Event<double>& event);
 
-[[nodiscard]] Touched touched_last(const DropScene& scene, const Drop<double>& drop);
+[[nodiscard]] Touched touched_last(const DropScene& scene, const DropResult<double>& drop);
 
-/// `rows` times, equally spaced from the start to the end, at which the state is the final one.
-///
-/// In flight a row is exact, from the event before; bounces that the drop sums are followed one by one, in closed form.
-/// In the contact phase the drop goes on from row to row, from the event before; where that does not lead to the next
-/// event, as on an edge, each row is a drop of its own, from the start, with that time as its horizon.
+/// `rows` times, equally spaced from the start to the present of a drop that has kept its motion.
 [[nodiscard]] std::vector<DropSample> series_of(const DropScene& scene, const Drop<double>& drop, int rows);
 
 }  // namespace goishi::cli

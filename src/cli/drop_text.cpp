@@ -107,7 +107,7 @@ std::string cost_of(const DropCounters& counters) {
                                                      {counters.contact_evaluations, "contact evaluation"},
                                                      {counters.steps_accepted, "step"},
                                                      {counters.steps_rejected, "rejected step"},
-                                                     {counters.steps_located, "located step"},
+                                                     {counters.evaluations_located, "located evaluation"},
                                                      {counters.edge_impacts, "micro-impact"}};
   std::vector<std::string> parts;
   for (const auto& [count, name] : counts) {
@@ -120,7 +120,7 @@ std::string cost_of(const DropCounters& counters) {
 
 }  // namespace
 
-std::string end_of(const DropScene& scene, const Drop<double>& drop) {
+std::string end_of(const DropScene& scene, const DropResult<double>& drop) {
   const std::string when = fmt::format("{:.6g} s", drop.time);
   switch (drop.status) {
     case DropStatus::rest:
@@ -146,10 +146,24 @@ std::string end_of(const DropScene& scene, const Drop<double>& drop) {
   return fmt::format("given up after {}: {}", when, to_string(drop.status));
 }
 
-std::string to_block(const DropScene& scene, const Drop<double>& drop) {
+std::string to_block(const DropScene& scene, const DropResult<double>& drop, const std::optional<DropSample>& asked) {
   std::vector<DropSample> samples;
+  std::vector<std::pair<std::string, std::string>> names;
+  const auto add_asked = [&] {
+    samples.push_back(*asked);
+    names.emplace_back("(asked for)", "");
+  };
+  bool is_asked = asked.has_value();
   for (const Event<double>& event : drop.events) {
+    if (is_asked && asked->time < event.time) {
+      add_asked();
+      is_asked = false;
+    }
     samples.push_back(sample_of(scene, event.time, event.after));
+    names.emplace_back(to_string(event.kind), touch_of(scene, event));
+  }
+  if (is_asked) {
+    add_asked();
   }
   std::array<int, columns.size()> decimals{};
   std::ranges::transform(columns, decimals.begin(), [&](const Column& column) { return decimals_of(column, samples); });
@@ -158,12 +172,11 @@ std::string to_block(const DropScene& scene, const Drop<double>& drop) {
     lines[0].emplace_back(columns[i].name);
   }
   for (std::size_t row = 0; row < samples.size(); ++row) {
-    const Event<double>& event = drop.events[row];
     Line& line = lines.emplace_back();
     for (std::size_t i = 0; i < columns.size(); ++i) {
       line.push_back(fixed(value_of(columns[i], samples[row]), decimals[i]));
       if (i == 0) {
-        line.insert(line.end(), {std::string(to_string(event.kind)), touch_of(scene, event)});
+        line.insert(line.end(), {names[row].first, names[row].second});
       }
     }
   }

@@ -1,8 +1,8 @@
 #include "compiled/drop.hpp"
 
-namespace goishi::detail {
+namespace goishi {
 
-template Drop<double> dropped(const Stone<double>&, const RigidBody<double>&, const Board<double>*,
-                              const State<double>&, const DropSettings<double>&, const double&, EventKind);
+template class Drop<double>;
+template DropResult<double> followed(Drop<double>&);
 
-}  // namespace goishi::detail
+}  // namespace goishi

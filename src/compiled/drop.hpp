@@ -1,15 +1,15 @@
 #pragma once
 /// \file
-/// `drop` in double, which many files of the program, the suite and the tests call: compiled once, in drop.cpp.
+/// `Drop` in double, which many files of the program, the suite and the tests call: compiled once, in drop.cpp.
 /// (`verify/mutants` compiles one claim against a changed library: there each file has its own.)
 
 #include <goishi/drop/drop.hpp>
 
 #ifndef GOISHI_DROP_IN_EVERY_FILE
-namespace goishi::detail {
+namespace goishi {
 
-extern template Drop<double> dropped(const Stone<double>&, const RigidBody<double>&, const Board<double>*,
-                                     const State<double>&, const DropSettings<double>&, const double&, EventKind);
+extern template class Drop<double>;
+extern template DropResult<double> followed(Drop<double>&);
 
-}  // namespace goishi::detail
+}  // namespace goishi
 #endif

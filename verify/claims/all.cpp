@@ -58,6 +58,7 @@ std::vector<Claim> all_claims() {
       {"claims/drop/scale.cpp", drop_scale_claims},
       {"claims/drop/board.cpp", drop_board_claims},
       {"claims/drop/tolerance.cpp", drop_tolerance_claims},
+      {"claims/drop/value.cpp", drop_value_claims},
       {"claims/drop/picture.cpp", drop_picture_claims},
       {"claims/published/numbers.cpp", published_claims},
       {"claims/published/motion.cpp", published_motion_claims},

@@ -63,6 +63,7 @@ namespace goishi::verify {
 [[nodiscard]] std::vector<Claim> drop_sliding_claims();      // DROP: sliding to a stop, slopes, waking
 [[nodiscard]] std::vector<Claim> drop_board_claims();        // DROP: on a board, over its edge
 [[nodiscard]] std::vector<Claim> drop_tolerance_claims();    // DROP: error by tolerance; float
+[[nodiscard]] std::vector<Claim> drop_value_claims();        // DROP: cut, stored, looked back on; a step's stages
 [[nodiscard]] std::vector<Claim> drop_scale_claims();        // DROP: other units, other sizes
 
 [[nodiscard]] std::vector<Claim> all_claims();

@@ -141,14 +141,14 @@ struct Witnessed {
   return set_on_cap(pebble, leaning(tilt), {0.0, 0.0, spin}, {0.0, 0.0, 0.0});
 }
 
-[[nodiscard]] inline Drop<double> drop(const Pebble& pebble, const State<double>& start, DropSettings<double> settings,
+[[nodiscard]] inline DropResult<double> drop(const Pebble& pebble, const State<double>& start, DropSettings<double> settings,
                                        Long horizon) {
   settings.horizon = static_cast<double>(horizon);
   return goishi::drop(pebble.stone, pebble.body, start, settings);
 }
 
 /// The first event of a kind, or null.
-[[nodiscard]] inline const Event<double>* first_event(const Drop<double>& dropped, EventKind kind) {
+[[nodiscard]] inline const Event<double>* first_event(const DropResult<double>& dropped, EventKind kind) {
   for (const Event<double>& event : dropped.events) {
     if (event.kind == kind) {
       return &event;
@@ -170,7 +170,7 @@ struct Witnessed {
 }
 
 /// Under the usual settings.
-[[nodiscard]] inline Drop<double> dropped(const Pebble& pebble, const State<double>& start, double tolerance) {
+[[nodiscard]] inline DropResult<double> dropped(const Pebble& pebble, const State<double>& start, double tolerance) {
   DropSettings<double> settings;
   settings.tolerance = tolerance;
   return drop(pebble.stone, pebble.body, start, settings);

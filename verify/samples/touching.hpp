@@ -135,7 +135,7 @@ inline void see_stretch(const Context& context, const Subject& subject, const Mo
 }
 
 /// A drop that gave up has stretches that nobody sees.
-inline void see_status(const Subject& subject, const Drop<double>& drop, Checks& checks) {
+inline void see_status(const Subject& subject, const DropResult<double>& drop, Checks& checks) {
   checks["faults"].see(drop.status == DropStatus::rest || drop.status == DropStatus::moving ? 0.0 : 1.0, [&] {
     return fmt::format("{}: the drop ends as '{}' after {} s", describe(subject.specimen), to_string(drop.status),
                        drop.time);
@@ -149,7 +149,7 @@ inline void see_status(const Subject& subject, const Drop<double>& drop, Checks&
 }
 
 /// The contact phases of a drop, each as a whole: all that the witness has is where it began.
-inline void see_phases(const Context& context, const Subject& subject, const Drop<double>& drop, Checks& checks,
+inline void see_phases(const Context& context, const Subject& subject, const DropResult<double>& drop, Checks& checks,
                        Located& located) {
   for (std::size_t i = 0; i < drop.events.size(); ++i) {
     if (drop.events[i].kind != EventKind::contact) {
@@ -167,9 +167,9 @@ inline void see_phases(const Context& context, const Subject& subject, const Dro
 }
 
 /// The first twelve stretches of a drop in contact, from event to event, and the last three. Long ones, and the one that
-/// comes to rest but for its last hundredth, in parts: the same drop is stopped on the way.
-inline void see_stretches(const Context& context, const Subject& subject, const State<double>& start,
-                          const Drop<double>& drop, Checks& checks, Located& located) {
+/// comes to rest but for its last hundredth, in parts, up to what its motion was then.
+inline void see_stretches(const Context& context, const Subject& subject, const Drop<double>& motion,
+                          const DropResult<double>& drop, Checks& checks, Located& located) {
   std::vector<std::size_t> begins;
   for (std::size_t i = 0; i + 1 < drop.events.size(); ++i) {
     if (stays(drop.events[i].kind)) {
@@ -187,12 +187,11 @@ inline void see_stretches(const Context& context, const Subject& subject, const 
     State<double> state = from.after;
     double time = from.time;
     while (rests ? time < end : longest_stretch < end - time) {
-      DropSettings<double> settings = subject.settings;
-      settings.horizon = std::min(time + longest_stretch, end);
-      const Drop<double> part = goishi::drop(subject.specimen.stone, subject.body, start, settings);
-      see_stretch(context, subject, {time, state}, {part.time, part.state}, checks, located);
-      state = part.state;
-      time = part.time;
+      const double next = std::min(time + longest_stretch, end);
+      const State<double> there = motion.state_at(next);
+      see_stretch(context, subject, {time, state}, {next, there}, checks, located);
+      state = there;
+      time = next;
     }
     if (!rests) {
       see_stretch(context, subject, {time, state}, {to.time, to.before}, checks, located);

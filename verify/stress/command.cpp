@@ -46,7 +46,7 @@ void print_tally(const Tally& tally, std::uint64_t seed) {
 bool run_single(std::uint64_t seed, std::uint64_t index) {
   const Scene scene = draw_scene(seed, index);
   fmt::print("{}\n", describe(scene));
-  const Drop<double> drop = run(scene);
+  const DropResult<double> drop = run(scene);
   for (const Event<double>& event : drop.events) {
     const State<double>& now = event.after;
     fmt::print("{:16.12f} s  {:13} {:+.9e} J  p ({:+.6f}, {:+.6f}, {:+.6f}) m  |v| {:.3e} m/s  |L| {:.3e} kg m²/s\n",
@@ -58,7 +58,7 @@ bool run_single(std::uint64_t seed, std::uint64_t index) {
       "{} after {} s: {} impacts, {} root steps, {} contact evaluations, {} steps ({} rejected, {} located), {} edge "
       "impacts\n",
       to_string(drop.status), drop.time, done.impacts, done.root_steps, done.contact_evaluations, done.steps_accepted,
-      done.steps_rejected, done.steps_located, done.edge_impacts);
+      done.steps_rejected, done.evaluations_located, done.edge_impacts);
   const Verdict verdict = judge(scene, drop);
   for (const std::string& fault : verdict.faults) {
     fmt::print("FAILS  {}\n", fault);

@@ -37,7 +37,7 @@ struct Hold {
 
 class Judge {
  public:
-  Judge(const Scene& scene, const Drop<double>& drop)
+  Judge(const Scene& scene, const DropResult<double>& drop)
       : scene_(scene),
         drop_(drop),
         width_(outer_width(scene.stone)),
@@ -280,7 +280,7 @@ class Judge {
   void goes_on_resting() {
     Scene again = scene_;
     again.start = drop_.state;
-    const Drop<double> then = run(again);
+    const DropResult<double> then = run(again);
     const double moved = (then.state.p_WB - drop_.state.p_WB).norm() / width_;
     const bool rests = then.status == DropStatus::rest || then.status == DropStatus::rest_leaning;
     // Beside a side it may touch that, too, and hop.
@@ -294,7 +294,7 @@ class Judge {
   }
 
   const Scene& scene_;
-  const Drop<double>& drop_;
+  const DropResult<double>& drop_;
   double width_;
   TopRates<double> rates_;
   Verdict verdict_;
@@ -302,7 +302,7 @@ class Judge {
 
 }  // namespace
 
-Verdict judge(const Scene& scene, const Drop<double>& drop) {
+Verdict judge(const Scene& scene, const DropResult<double>& drop) {
   return Judge(scene, drop)();
 }
 

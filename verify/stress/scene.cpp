@@ -241,7 +241,7 @@ Scene draw_scene(std::uint64_t seed, std::uint64_t index) {
   return scene;
 }
 
-Drop<double> run(const Scene& scene) {
+DropResult<double> run(const Scene& scene) {
   return scene.board ? drop(scene.stone, scene.body, scene.start, *scene.board, scene.settings)
                      : drop(scene.stone, scene.body, scene.start, scene.settings);
 }

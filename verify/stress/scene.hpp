@@ -32,7 +32,7 @@ struct Scene {
 /// Most run to rest, with the usual horizon; what nothing brings there is followed for a while.
 [[nodiscard]] Scene draw_scene(std::uint64_t seed, std::uint64_t index);
 
-[[nodiscard]] Drop<double> run(const Scene& scene);
+[[nodiscard]] DropResult<double> run(const Scene& scene);
 
 /// What was drawn, in a line.
 [[nodiscard]] std::string describe(const Scene& scene);

@@ -14,8 +14,8 @@ template <Elementary T>
 [[nodiscard]] Quat<T> shortest_rotation(const Vec3<T>& a, const Vec3<T>& b) {
   const Vec3<T> axis = formula::cross(a, b);
   const T w = T(1) + formula::dot(a, b);
-  const T size = scalar::sqrt(T(scalar::sq(w) + formula::dot(axis, axis)));
-  return Quat<T>(T(w / size), T(axis.x() / size), T(axis.y() / size), T(axis.z() / size));
+  const T over = T(1) / scalar::sqrt(T(scalar::sq(w) + formula::dot(axis, axis)));
+  return Quat<T>(T(w * over), T(axis.x() * over), T(axis.y() * over), T(axis.z() * over));
 }
 
 /// The attitude q_a of a body whose axis was a, carried with the axis to u by the shortest rotation, and turned by an
@@ -23,10 +23,10 @@ template <Elementary T>
 /// Domain  a ≠ −u.   Proof  derivations/contact_phase.cpp.
 template <Elementary T>
 [[nodiscard]] Quat<T> carried_attitude(const Vec3<T>& a, const Quat<T>& q_a, const Vec3<T>& u, const T& spin) {
-  const Quat<T> carried = formula::shortest_rotation(a, u);
-  const T half = spin / T(2);
-  const Quat<T> spun(scalar::cos(half), T(0), T(0), scalar::sin(half));
-  return formula::product(formula::product(carried, q_a), spun);
+  const Quat<T> q = formula::product(formula::shortest_rotation(a, u), q_a);
+  const T half = spin / T(2), c = scalar::cos(half), s = scalar::sin(half);
+  return Quat<T>(T(q.w() * c - q.z() * s), T(q.x() * c + q.y() * s), T(q.y() * c - q.x() * s),
+                 T(q.z() * c + q.w() * s));
 }
 
 /// Rate of the angle ψ by which a body has turned about its axis u, beyond the shortest rotation from a to u   [1/s]:

@@ -23,17 +23,22 @@ struct ContactGeometry {
   T curvature;  // S'' [m]
 };
 
-/// A stone in contact at one moment. Rates are those of ω alone: forces do not enter.
+/// A stone in contact at one moment: where it is, and how it turns.
 template <class T>
-struct ContactMotion {
-  Vec3<T> u;           // unit, symmetry axis
-  Vec3<T> L;           // [m²/s] angular momentum about the centre of mass
-  Vec3<T> w;           // [1/s] ω = J L
+struct ContactPlace {
+  Vec3<T> u;      // unit, symmetry axis
+  Vec3<T> L;      // [m²/s] angular momentum about the centre of mass
+  Vec3<T> w;      // [1/s] ω = J L
+  Vec3<T> r;      // [m] from the centre of mass to the contact
+  T height;       // [m] S: of the centre of mass over the plane
+  Vec3<T> point;  // [m/s] ω × r: what turning adds to the velocity of the point in contact
+};
+
+/// And how that goes on. Rates are those of ω alone: forces do not enter.
+template <class T>
+struct ContactMotion : ContactPlace<T> {
   Vec3<T> u_rate;      // [1/s] ω × u
-  Vec3<T> r;           // [m] from the centre of mass to the contact
-  T height;            // [m] S: of the centre of mass over the plane
   T spin_rate;         // [1/s] ω · u
-  Vec3<T> point;       // [m/s] ω × r: what turning adds to the velocity of the point in contact
   ContactMatrix<T> W;  // acceleration of that point = W F − `need` under a force F on it
   Vec3<T> need;        // [m/s²]
 };
@@ -67,9 +72,24 @@ template <Field T>
           .curvature = T(-(over / (radial * radial)))};
 }
 
-/// The contact, its point's rates, and what a force does to it:
+/// Where the contact is: r = −S' u_h − S ẑ, ω = J L.
+/// Domain  |u| = 1.   Proof  derivations/contact_motion.cpp.
+template <Field T>
+[[nodiscard]] inline ContactPlace<T> contact_place(const Mobility<T>& mobility, const ContactGeometry<T>& geometry,
+                                                   const Vec3<T>& u, const Vec3<T>& L) {
+  ContactPlace<T> now;
+  now.u = u;
+  now.L = L;
+  now.w = formula::combination(mobility.transverse, L, T(mobility.axial * formula::dot(u, L)), u);
+  now.height = geometry.height;
+  now.r = {T(-(geometry.slope * u.x())), T(-(geometry.slope * u.y())), T(-now.height)};
+  now.point = formula::cross(now.w, now.r);
+  return now;
+}
+
+/// Its point's rates, and what a force does to it:
 ///
-///     r = −S' u_h − S ẑ,   ṙ = S'' η̇ (η ẑ − u) − S' u̇,   J L = ω,   J̇ L = (1/I_a − 1/I_t) (u · L) u̇
+///     ṙ = S'' η̇ (η ẑ − u) − S' u̇,   J L = ω,   J̇ L = (1/I_a − 1/I_t) (u · L) u̇
 ///     need = −g − J̇ L × r − ω × ṙ,   d/dt (v + ω × r) = W F + J τ × r − need
 ///
 /// with F the force at the contact and τ a torque beside it.
@@ -79,19 +99,14 @@ template <Field T>
                                                      const ContactGeometry<T>& geometry, const Vec3<T>& u,
                                                      const Vec3<T>& L) {
   ContactMotion<T> now;
-  now.u = u;
-  now.L = L;
+  static_cast<ContactPlace<T>&>(now) = formula::contact_place(mobility, geometry, u, L);
   const T momentum = formula::dot(u, L);
   const T along = mobility.axial * momentum;
-  now.w = formula::combination(mobility.transverse, L, along, u);
   now.spin_rate = (mobility.transverse + mobility.axial) * momentum;
   now.u_rate = formula::scaled(mobility.transverse, formula::cross(L, u));
-  now.height = geometry.height;
-  now.r = {T(-(geometry.slope * u.x())), T(-(geometry.slope * u.y())), T(-now.height)};
   const T turn = geometry.curvature * now.u_rate.z();
   const Vec3<T> r_rate(T(-(turn * u.x() + geometry.slope * now.u_rate.x())),
                        T(-(turn * u.y() + geometry.slope * now.u_rate.y())), T(-(geometry.slope * now.u_rate.z())));
-  now.point = formula::cross(now.w, now.r);
   now.W = formula::contact_matrix(mobility, u, now.r);
   const Vec3<T> gyration = formula::cross(now.u_rate, now.r), swept = formula::cross(now.w, r_rate);
   now.need = {T(-(gravity.x() + along * gyration.x() + swept.x())),
@@ -159,7 +174,7 @@ template <Field T>
 /// Velocity of the centre of mass of a stone whose contact point slips with (s_x, s_y)   [m/s]: s − ω × r.
 /// Proof  derivations/contact_phase.cpp.
 template <Field T>
-[[nodiscard]] inline Vec3<T> centre_velocity(const ContactMotion<T>& now, const T& s_x, const T& s_y) {
+[[nodiscard]] inline Vec3<T> centre_velocity(const ContactPlace<T>& now, const T& s_x, const T& s_y) {
   return {T(s_x - now.point.x()), T(s_y - now.point.y()), T(-now.point.z())};
 }
 
@@ -167,7 +182,7 @@ template <Field T>
 /// v = s − ω × r along the plane and v_z = −(ω × r)_z.
 /// Proof  derivations/contact_motion.cpp.
 template <Field T>
-[[nodiscard]] inline T contact_kinetic_energy(const ContactMotion<T>& now, const T& s_x, const T& s_y) {
+[[nodiscard]] inline T contact_kinetic_energy(const ContactPlace<T>& now, const T& s_x, const T& s_y) {
   return (formula::dot(now.L, now.w) + scalar::sq(T(s_x - now.point.x())) + scalar::sq(T(s_y - now.point.y())) +
           scalar::sq(now.point.z())) /
          T(2);
@@ -184,7 +199,7 @@ template <Elementary T>
 /// origin.
 /// Proof  derivations/contact_phase.cpp.
 template <Field T>
-[[nodiscard]] inline T contact_energy(const ContactMotion<T>& now, const Vec3<T>& gravity, const T& x, const T& y,
+[[nodiscard]] inline T contact_energy(const ContactPlace<T>& now, const Vec3<T>& gravity, const T& x, const T& y,
                                       const T& kinetic) {
   return kinetic - (gravity.x() * x + gravity.y() * y + gravity.z() * now.height);
 }

@@ -12,33 +12,35 @@ namespace goishi::detail {
 template <Ordered T>
 class EnergyBalance {
  public:
-  /// From the present variables, which `equations` saw last.
+  EnergyBalance() = default;
+
+  /// From variables that `equations` saw last.
   template <class Equations>
-  EnergyBalance(ContactState<T>& contact, const Equations& equations, const T& tolerance)
-      : contact_(contact), tolerance_(tolerance), energy_(energy_of(equations, contact.y).total) {}
+  EnergyBalance(const Run<T>& run, const Equations& equations, const Variables<T>& y)
+      : energy_(energy_of(run, equations, y).total) {}
+
+  /// Energy and losses, as the steps have left them   [m²/s²].
+  [[nodiscard]] T total() const { return energy_ + excess_; }
 
   /// What a step to y, which `equations` saw last, adds to the balance: 1 is the tolerance of speed².
   template <class Equations>
-  [[nodiscard]] T defect(const Equations& equations, const Variables<T>& y) const {
-    const Energy now = energy_of(equations, y);
+  [[nodiscard]] T defect(const Run<T>& run, const Equations& equations, const Variables<T>& y) const {
+    const Energy now = energy_of(run, equations, y);
     const T change = now.total + y[at::loss] - energy_ - excess_;
     const T potential = now.kinetic - now.total;
     const T round_off =
         T(64) * std::numeric_limits<T>::epsilon() * (now.kinetic + (potential < T(0) ? T(-potential) : potential));
     return (change < T(0) ? T(-change) : change) /
-           (tolerance_ * contact_.scales.thinness * scalar::sq(contact_.scales.speed) + round_off);
+           (run.settings.tolerance * run.scales.thinness * scalar::sq(run.scales.speed) + round_off);
   }
 
   /// Takes the velocities back to what energy and losses allow, all by one factor, and by no more than a step's error.
   /// What is left waits for the next steps: near a turning point, where the stone all but stands still.
   template <class Equations>
-  void restore(const Equations& equations) {
-    Variables<T>& y = contact_.y;
-    const Energy now = energy_of(equations, y);
+  void restore(const Run<T>& run, const Equations& equations, Variables<T>& y) {
+    const Energy now = energy_of(run, equations, y);
     const T excess = now.total + y[at::loss] - energy_;
-    const T step_error = T(2) * tolerance_ * contact_.scales.speed * scalar::sqrt(now.kinetic);
-    const T most = step_error < T(0.01) * now.kinetic ? step_error : T(T(0.01) * now.kinetic);
-    const T taken = excess < -most ? T(-most) : most < excess ? most : excess;
+    const T taken = taken_of<T>(now.kinetic, excess, run.settings.tolerance * run.scales.speed);
     excess_ = excess - taken;
     if (!(T(0) < now.kinetic)) {
       return;
@@ -60,14 +62,12 @@ class EnergyBalance {
 
   /// Per unit of mass, at variables that `equations` saw last   [m²/s²].
   template <class Equations>
-  [[nodiscard]] Energy energy_of(const Equations& equations, const Variables<T>& y) const {
+  [[nodiscard]] static Energy energy_of(const Run<T>& run, const Equations& equations, const Variables<T>& y) {
     const T kinetic = formula::contact_kinetic_energy(equations.now, equations.slip_x(y), equations.slip_y(y));
-    return {kinetic, formula::contact_energy(equations.now, contact_.body.gravity, y[at::x], y[at::y], kinetic)};
+    return {kinetic, formula::contact_energy(equations.now, run.contact_body.gravity, y[at::x], y[at::y], kinetic)};
   }
 
-  ContactState<T>& contact_;
-  const T& tolerance_;
-  T energy_;
+  T energy_ = T(0);
   T excess_ = T(0);  // [m²/s²] that `restore` left
 };
 

@@ -2,10 +2,12 @@
 /// \file
 /// What a drop answers: its events, its end, and what it cost.
 
+#include <concepts>
 #include <goishi/contact/contact.hpp>
 #include <goishi/impact/material.hpp>
 #include <goishi/motion/state.hpp>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace goishi {
@@ -23,13 +25,14 @@ enum class EventKind {
   board_edge,     // the contact point leaves the playing surface
   side,           // the stone comes near the board's side while it touches the floor
   rest,
-  woken,  // set moving by a change of gravity
+  woken,  // gravity, the board or a setting was changed
+  push,   // an impulse was applied
   end     // of the run, moving
 };
 
 [[nodiscard]] constexpr std::string_view to_string(EventKind kind) {
   constexpr std::string_view names[] = {"start", "impact",   "bounces close", "contact", "stick", "slip",  "feature",
-                                        "jam",   "lift-off", "board edge",    "side",    "rest",  "woken", "end"};
+                                        "jam",   "lift-off", "board edge",    "side",    "rest",  "woken", "push",    "end"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -59,7 +62,7 @@ struct Event {
 enum class DropStatus {
   rest,
   rest_leaning,  // at rest on two contacts or an edge, come to by the scheme of lower order
-  moving,        // the horizon, or `maximum_impacts`, was reached first
+  moving,        // the time, the horizon or `maximum_impacts` was reached first
   flies_on,      // nothing is ever touched again
   start_inside,  // the stone overlaps what it is dropped on: `depth`
   too_many_events,
@@ -73,6 +76,11 @@ enum class DropStatus {
   return names[static_cast<std::size_t>(status)];
 }
 
+/// Whether a drop that was left so could go on.
+[[nodiscard]] constexpr bool is_under_way(DropStatus status) {
+  return status == DropStatus::moving || status == DropStatus::too_many_events || status == DropStatus::too_many_steps;
+}
+
 /// What was computed, so that it can be seen what was not.
 struct DropCounters {
   int impacts = 0;
@@ -81,18 +89,45 @@ struct DropCounters {
   int contact_evaluations = 0;  // of the equations of the contact phase
   int steps_accepted = 0;
   int steps_rejected = 0;  // by the error control
-  int steps_located = 0;   // taken again to end at an event
+  int evaluations_located = 0;  // along a step, to find the event in it
   int edge_impacts = 0;    // micro-impacts of the scheme of lower order
+  int events = 0;
 
-  /// All that is repeated, which `DropSettings::maximum_steps` bounds: a step of a search for an impact costs about a
-  /// tenth of one of the contact phase, and counts so.
+  /// All that is repeated, which `DropSettings::maximum_steps` bounds: a step of a search for an impact, and an evaluation
+  /// in one for an event, cost about a tenth of a step of the contact phase, and count so.
   [[nodiscard]] constexpr long long work() const {
-    return 0LL + (root_steps + separations) / 10 + steps_accepted + steps_rejected + steps_located + edge_impacts;
+    return 0LL + (root_steps + separations + evaluations_located) / 10 + steps_accepted + steps_rejected + edge_impacts;
   }
 };
 
+/// Where events go: nowhere, to the end of a vector, or to a callable. It refers to what it was made of, as long as a call
+/// lasts.
 template <class T>
-struct Drop {
+class EventSink {
+ public:
+  EventSink() = default;
+  EventSink(std::vector<Event<T>>& events)  // NOLINT(google-explicit-constructor): an argument
+      : to_(&events), call_([](void* to, const Event<T>& event) {
+          static_cast<std::vector<Event<T>>*>(to)->push_back(event);
+        }) {}
+  template <std::invocable<const Event<T>&> F>
+    requires(!std::same_as<std::remove_cvref_t<F>, EventSink>)
+  EventSink(F&& function)  // NOLINT(google-explicit-constructor,bugprone-forwarding-reference-overload): likewise
+      : to_(const_cast<void*>(static_cast<const void*>(&function))), call_([](void* to, const Event<T>& event) {
+          (*static_cast<std::remove_reference_t<F>*>(to))(event);
+        }) {}
+
+  explicit operator bool() const { return call_ != nullptr; }
+  void operator()(const Event<T>& event) const { call_(to_, event); }
+
+ private:
+  void* to_ = nullptr;
+  void (*call_)(void*, const Event<T>&) = nullptr;
+};
+
+/// What a drop comes to, and how.
+template <class T>
+struct DropResult {
   DropStatus status = DropStatus::not_converged;
   Ground ground = Ground::none;  // touched last
   State<T> state;                // at the end

@@ -7,6 +7,7 @@
 #include <goishi/drop/edge_hops.hpp>
 #include <goishi/drop/next_impact.hpp>
 #include <goishi/drop/run.hpp>
+#include <goishi/drop/stretch.hpp>
 #include <goishi/impact/laws.hpp>
 
 namespace goishi {
@@ -24,295 +25,306 @@ template <Field T>
 
 namespace detail {
 
+/// What follows a flight.
+enum class Next { flight, contact, over };
+
+/// It goes flight by flight: `plan` looks ahead to the next touch, `complete` goes there, and through what happens there.
 template <Ordered T>
 class FlightPhase {
  public:
-  explicit FlightPhase(Run<T>& run)
-      : run_(run),
-        contact_(run),
-        hops_(run),
-        material_(make_material(run.settings.restitution, run.settings.friction)) {}
+  explicit FlightPhase(const Run<T>& run) : material_(make_material(run.settings.restitution, run.settings.friction)) {}
 
-  /// Runs the drop to its end, and sets the status.
-  void operator()() {
-    if (starts_inside()) {
-      return;
+  /// From the run's state. False where nothing follows.
+  [[nodiscard]] bool begin(Run<T>& run) {
+    if (starts_inside(run)) {
+      return false;
     }
-    if (is_left_alone()) {
-      return end(DropStatus::rest);
+    if (is_left_alone(run)) {
+      end(run, DropStatus::rest);
+      return false;
     }
-    while (true) {
-      if (!run_.has_room()) {
-        return end(DropStatus::too_many_events);
-      }
-      if (!run_.has_budget()) {
-        return end(DropStatus::too_many_steps);
-      }
-      const T left = run_.left();
-      if (!(T(0) < left)) {
-        return end(DropStatus::moving);
-      }
-      const TimeOfImpact<T> hit = next_impact(run_, left);
-      run_.result.counters.root_steps += hit.steps;
-      run_.result.counters.separations += hit.separations;
-      if (hit.status == ImpactStatus::none) {
-        if (!(left < std::numeric_limits<T>::infinity())) {
-          return end(DropStatus::flies_on);
-        }
-        advance(left);
-        return end(DropStatus::moving);
-      }
-      if (hit.status == ImpactStatus::not_converged) {
-        // Nothing is touched until then: on from there. A gap that stays at zero is a contact.
-        if (most_stretches < ++stretches_) {
-          return end(DropStatus::not_converged);
-        }
-        advance(hit.time);
-        if (hit.contact.gap < run_.settings.touching * outer_width(run_.stone) && meet(hit.contact)) {
-          return;
-        }
-        continue;
-      }
-      if (hit.status == ImpactStatus::overlapping) {
-        push_out(hit.contact);
-        continue;
-      }
-      stretches_ = 0;
-      margin_ = T(0) < hit.time ? T(2) : margin_;
-      advance(hit.time);
-      if (meet(hit.contact)) {
-        return;
+    return true;
+  }
+
+  /// Plans the next flight. False where nothing ends it, or nothing can be said; the run's status tells which.
+  [[nodiscard]] bool plan(Run<T>& run) {
+    if (leg_ == Leg::closing || leg_ == Leg::opening) {
+      return true;
+    }
+    constexpr int most_pushes = 64;
+    for (int pushes = 0; pushes < most_pushes; ++pushes) {
+      const T window = *run.settings.horizon;
+      hit_ = next_impact(run, window);
+      run.counters.root_steps += hit_.steps;
+      run.counters.separations += hit_.separations;
+      switch (hit_.status) {
+        case ImpactStatus::hit:
+          stretches_ = 0;
+          margin_ = T(0) < hit_.time ? T(2) : margin_;
+          leg_ = Leg::to_touch;
+          length_ = hit_.time;
+          return true;
+        case ImpactStatus::none:
+          leg_ = Leg::on;
+          length_ = window;
+          if (window < std::numeric_limits<T>::infinity()) {
+            return true;
+          }
+          end(run, DropStatus::flies_on);
+          return false;
+        case ImpactStatus::not_converged:
+          // Nothing is touched until then: on from there. A gap that stays at zero is a contact.
+          if (most_stretches < ++stretches_) {
+            end(run, DropStatus::not_converged);
+            return false;
+          }
+          leg_ = hit_.contact.gap < run.settings.touching * outer_width(run.stone) ? Leg::to_touch : Leg::on;
+          length_ = hit_.time;
+          return true;
+        case ImpactStatus::overlapping:
+          push_out(run, hit_.contact);
+          break;
       }
     }
+    end(run, DropStatus::not_converged);
+    return false;
+  }
+
+  /// How long the flight that is planned takes   [s].
+  [[nodiscard]] const T& length() const { return length_; }
+
+  /// What is planned, as a stretch that begins now.
+  [[nodiscard]] auto motion(const Run<T>& run) const -> decltype(Stretch<T>::motion) {
+    if (leg_ == Leg::closing) {
+      return Bouncing<T>{run.state, T(-run.settings.gravity.z()), material_.restitution};
+    }
+    return Flying<T>{run.state, run.settings.gravity};
+  }
+
+  /// Goes to its end.
+  [[nodiscard]] Next complete(Run<T>& run) {
+    const Leg leg = leg_;
+    leg_ = Leg::on;
+    if (leg == Leg::closing) {
+      return close_bounces(run);
+    }
+    advance(run, length_);
+    return leg == Leg::to_touch ? meet(run, hit_.contact) : Next::flight;
+  }
+
+  /// What touches, where a contact follows.
+  [[nodiscard]] Feature feature() const { return hit_.contact.feature; }
+
+  /// The contact phase is over, with this feature.
+  [[nodiscard]] Next after(Run<T>& run, ContactEnd contact, Feature feature) {
+    switch (contact) {
+      case ContactEnd::rest:
+        run.state.v_WB = run.state.L_W = Vec3<T>::Zero();
+        return end(run, DropStatus::rest);
+      case ContactEnd::stuck:
+        return end(run, DropStatus::not_converged);
+      case ContactEnd::lift_off:
+        lift_off(run, feature);
+        break;
+      case ContactEnd::board_edge:
+        note(run, EventKind::board_edge, feature);
+        break;
+      case ContactEnd::side:
+        hops_.touch_side(run);
+        note(run, EventKind::side, feature);
+        break;
+    }
+    return Next::flight;
   }
 
  private:
-  void end(DropStatus status) {
-    run_.result.status = status;
-    run_.record(status == DropStatus::rest || status == DropStatus::rest_leaning ? EventKind::rest : EventKind::end,
-                run_.state);
+  /// What a flight leads to: on, the next touch, a gap that is open for sure, the end of all bounces.
+  enum class Leg { on, to_touch, opening, closing };
+
+  static Next end(Run<T>& run, DropStatus status) {
+    run.status = status;
+    run.record(status == DropStatus::rest || status == DropStatus::rest_leaning ? EventKind::rest : EventKind::end,
+               run.state);
+    return Next::over;
   }
 
-  void advance(const T& t) {
+  static void advance(Run<T>& run, const T& t) {
     if (T(0) < t) {
-      run_.state = formula::free_flight(run_.state, run_.rates, run_.settings.gravity, t);
-      run_.time = run_.time + t;
+      run.state = formula::free_flight(run.state, run.rates, run.settings.gravity, t);
+      run.time = run.time + t;
     }
   }
 
   /// Nothing moves, and without gravity nothing will.
-  [[nodiscard]] bool is_left_alone() const {
-    const Vec3<T>& g = run_.settings.gravity;
-    const State<T>& now = run_.state;
+  [[nodiscard]] static bool is_left_alone(const Run<T>& run) {
+    const Vec3<T>& g = run.settings.gravity;
+    const State<T>& now = run.state;
     return !(T(0) < formula::dot(g, g)) && now.v_WB == Vec3<T>::Zero() && now.L_W == Vec3<T>::Zero();
   }
 
-  [[nodiscard]] Pose<T> pose() const { return {run_.state.p_WB, run_.state.q_WB}; }
+  [[nodiscard]] static Pose<T> pose_of(const Run<T>& run) { return {run.state.p_WB, run.state.q_WB}; }
 
-  [[nodiscard]] bool starts_inside() {
+  [[nodiscard]] static bool starts_inside(Run<T>& run) {
     T gap;
-    if (run_.board == nullptr) {
-      gap = separation(run_.stone, pose(), Plane<T>{}).gap;
+    if (!run.board) {
+      gap = separation(run.stone, pose_of(run), Plane<T>{}).gap;
     } else {
-      gap = separation(run_.stone, pose(), *run_.board).gap;
-      const T over_floor = separation(run_.stone, pose(), floor_of(*run_.board)).gap;
+      gap = separation(run.stone, pose_of(run), *run.board).gap;
+      const T over_floor = separation(run.stone, pose_of(run), floor_of(*run.board)).gap;
       gap = over_floor < gap ? over_floor : gap;
     }
-    if (gap < -(run_.settings.touching * outer_width(run_.stone))) {
-      run_.result.depth = -gap;
-      end(DropStatus::start_inside);
+    if (gap < -(run.settings.touching * outer_width(run.stone))) {
+      run.depth = -gap;
+      end(run, DropStatus::start_inside);
       return true;
     }
     return false;
   }
 
   /// Out of an overlap of round-off, by a little more than that; by twice as much if it comes again at once.
-  void push_out(const Separation<T>& contact) {
-    const T along = formula::dot(contact.n_W, run_.state.p_WB);
+  void push_out(Run<T>& run, const Separation<T>& contact) {
+    const T along = formula::dot(contact.n_W, run.state.p_WB);
     const T p = along < T(0) ? T(-along) : along;
     margin_ = margin_ + margin_;
-    const T more = margin_ * std::numeric_limits<T>::epsilon() * (p + outer_width(run_.stone));
-    run_.state.p_WB = run_.state.p_WB + (more - contact.gap) * contact.n_W;
+    const T more = margin_ * std::numeric_limits<T>::epsilon() * (p + outer_width(run.stone));
+    run.state.p_WB = run.state.p_WB + (more - contact.gap) * contact.n_W;
   }
 
   // --- what happens there
 
-  /// The stone touches. True when the drop has ended.
-  [[nodiscard]] bool meet(const Separation<T>& contact) {
-    const bool lasting_here = contact.other_feature == OtherFeature::surface && !hops_.is_beside(contact);
-    run_.level = hops_.is_floor(contact) ? run_.board->floor : T(0);
-    run_.result.ground = hops_.is_floor(contact) ? Ground::floor : Ground::board;
-    run_.contact_W = contact.p_stone;
-    const Vec3<T> r = contact.p_stone - run_.state.p_WB;
-    const T approach = -formula::dot(formula::point_velocity(impact_body(run_), r), contact.n_W);
+  /// The stone touches.
+  [[nodiscard]] Next meet(Run<T>& run, const Separation<T>& contact) {
+    const bool on_floor = hops_.is_floor(run, contact);
+    const bool lasting_here = contact.other_feature == OtherFeature::surface && !hops_.is_beside(run, contact);
+    run.level = on_floor ? run.board->floor : T(0);
+    run.ground = on_floor ? Ground::floor : Ground::board;
+    run.contact_W = contact.p_stone;
+    const Vec3<T> r = contact.p_stone - run.state.p_WB;
+    const T approach = -formula::dot(formula::point_velocity(impact_body(run), r), contact.n_W);
     if (lasting_here) {
-      if (approach < *run_.settings.contact_speed) {
-        push(contact, T(0), EventKind::contact);
-        return stay(contact.feature);
+      if (approach < *run.settings.contact_speed) {
+        push(run, contact, T(0), EventKind::contact);
+        return Next::contact;
       }
-    } else if (approach < *run_.settings.edge_speed) {
-      switch (hops_.hop(contact, approach)) {
-        case EdgeHops<T>::End::none:
-          return false;
-        case EdgeHops<T>::End::rests:
-          end(DropStatus::rest_leaning);
-          return true;
-        case EdgeHops<T>::End::too_many:
-          end(DropStatus::too_many_steps);
-          return true;
-      }
+    } else if (approach < *run.settings.edge_speed) {
+      return hops_.hop(run, contact, approach) ? end(run, DropStatus::rest_leaning) : Next::flight;
     }
-    const Event<T>& event = push(contact, material_.restitution, EventKind::impact);
-    ++run_.result.counters.impacts;
-    if (run_.settings.maximum_impacts <= run_.result.counters.impacts) {
-      end(DropStatus::moving);
-      return true;
+    push(run, contact, material_.restitution, EventKind::impact);
+    ++run.counters.impacts;
+    if (lasting_here && bounces_flat(run, contact.p_stone) && stays_beside(run)) {
+      leg_ = Leg::closing;
+      length_ = closing_time(run);
     }
-    if (lasting_here && bounces_flat(event) && closing_time() < run_.left() && stays_beside()) {
-      close_bounces(contact);
-      return stay(contact.feature);
-    }
-    return false;
+    return Next::flight;
   }
 
   /// An impulse, recorded.
-  const Event<T>& push(const Separation<T>& contact, const T& restitution, EventKind kind) {
+  void push(Run<T>& run, const Separation<T>& contact, const T& restitution, EventKind kind) const {
     // What closes the bounces has to leave no normal velocity, which only one law promises.
-    const ImpactLaw law = kind == EventKind::contact ? ImpactLaw::chatterjee_ruina : run_.settings.law;
+    const ImpactLaw law = kind == EventKind::contact ? ImpactLaw::chatterjee_ruina : run.settings.law;
     const Impact<T> impact =
-        resolve(law, Material<T>{restitution, material_.friction}, contact.p_stone, contact.n_W, impact_body(run_));
-    const State<T> before = run_.state;
-    run_.state.v_WB = impact.body.v_WB;
-    run_.state.L_W = impact.body.L_W;
-    Event<T>& event = run_.record(kind, before);
-    event.impulse_W = impact.impulse.impulse_W;
-    note_contact(event, contact);
-    event.outcome = impact.impulse.outcome;
-    return event;
+        resolve(law, Material<T>{restitution, material_.friction}, contact.p_stone, contact.n_W, impact_body(run));
+    const State<T> before = run.state;
+    run.state.v_WB = impact.body.v_WB;
+    run.state.L_W = impact.body.L_W;
+    run.record(kind, before, [&](Event<T>& event) {
+      event.impulse_W = impact.impulse.impulse_W;
+      note_contact(event, contact);
+      event.outcome = impact.impulse.outcome;
+    });
   }
 
   /// Whether all further bounces are like this one: the lever is zero and stays so, nothing slips.
-  [[nodiscard]] bool bounces_flat(const Event<T>& event) const {
-    const Vec3<T>& g = run_.settings.gravity;
+  [[nodiscard]] bool bounces_flat(const Run<T>& run, const Vec3<T>& contact_W) const {
+    const Vec3<T>& g = run.settings.gravity;
     if (T(0) < scalar::sq(g.x()) + scalar::sq(g.y()) || !(g.z() < T(0)) || !(material_.restitution < T(1)) ||
-        !(run_.state.v_WB.z() < *run_.settings.closing_speed)) {
+        !(run.state.v_WB.z() < *run.settings.closing_speed)) {
       return false;
     }
     // Moves the end by less than 1e-10 of what is summed.
     const T small = detail::at_least(T(1e-10), T(16) * std::numeric_limits<T>::epsilon());
-    const Vec3<T> r = event.contact_W - run_.state.p_WB;
-    if (small * run_.reach < scalar::sqrt(T(scalar::sq(r.x()) + scalar::sq(r.y())))) {
+    const Vec3<T> r = contact_W - run.state.p_WB;
+    if (small * run.reach < scalar::sqrt(T(scalar::sq(r.x()) + scalar::sq(r.y())))) {
       return false;
     }
-    const bool ball = !(T(0) < run_.stone.sphere_offset);
-    const Vec3<T>& L = run_.state.L_W;
+    const bool ball = !(T(0) < run.stone.sphere_offset);
+    const Vec3<T>& L = run.state.L_W;
     const T nothing =
-        small * (run_.body.mass * run_.reach * *run_.settings.closing_speed + (L.z() < T(0) ? T(-L.z()) : L.z()));
+        small * (run.body.mass * run.reach * *run.settings.closing_speed + (L.z() < T(0) ? T(-L.z()) : L.z()));
     if (!ball && scalar::sq(nothing) < scalar::sq(L.x()) + scalar::sq(L.y())) {
       return false;
     }
     if (!(T(0) < material_.friction)) {
       return true;
     }
-    const Vec3<T> v = formula::point_velocity(impact_body(run_), r);
-    return scalar::sqrt(T(scalar::sq(v.x()) + scalar::sq(v.y()))) <= small * *run_.settings.closing_speed;
+    const Vec3<T> v = formula::point_velocity(impact_body(run), r);
+    return scalar::sqrt(T(scalar::sq(v.x()) + scalar::sq(v.y()))) <= small * *run.settings.closing_speed;
   }
 
   /// Infinitely many bounces   [s].
-  [[nodiscard]] T closing_time() const {
-    const T v = run_.state.v_WB.z();  // round-off of zero after a plastic impact
-    return T(0) < v ? formula::bounces_time(v, T(-run_.settings.gravity.z()), material_.restitution) : T(0);
+  [[nodiscard]] T closing_time(const Run<T>& run) const {
+    const T v = run.state.v_WB.z();  // round-off of zero after a plastic impact
+    return T(0) < v ? formula::bounces_time(v, T(-run.settings.gravity.z()), material_.restitution) : T(0);
   }
 
   /// Whether the way along the plane that the bounces take meets no edge and no side.
-  [[nodiscard]] bool stays_beside() const {
-    if (run_.board == nullptr) {
+  [[nodiscard]] bool stays_beside(const Run<T>& run) const {
+    if (!run.board) {
       return true;
     }
-    const Vec3<T>& v = run_.state.v_WB;
-    const T way = scalar::sqrt(T(scalar::sq(v.x()) + scalar::sq(v.y()))) * closing_time();
-    if (run_.level < T(0)) {
-      return way < separation(run_.stone, pose(), *run_.board).gap;
+    const Vec3<T>& v = run.state.v_WB;
+    const T way = scalar::sqrt(T(scalar::sq(v.x()) + scalar::sq(v.y()))) * closing_time(run);
+    if (run.level < T(0)) {
+      return way < separation(run.stone, pose_of(run), *run.board).gap;
     }
     const auto inside = [&](const T& x, const T& half) { return (x < T(0) ? T(-x) : x) + way < half; };
-    return inside(run_.contact_W.x(), run_.board->half_width) && inside(run_.contact_W.y(), run_.board->half_length);
+    return inside(run.contact_W.x(), run.board->half_width) && inside(run.contact_W.y(), run.board->half_length);
   }
 
-  void close_bounces(const Separation<T>& contact) {
-    const State<T> before = run_.state;
-    const T v = run_.state.v_WB.z();
-    const T g = -run_.settings.gravity.z();
-    const T t = closing_time();
-    run_.state.v_WB.z() = T(0);
-    run_.state = formula::free_flight(run_.state, run_.rates, Vec3<T>(Vec3<T>::Zero()), t);
-    run_.time = run_.time + t;
-    Event<T>& event = run_.record(EventKind::bounces_close, before);
-    event.impulse_W = {T(0), T(0), T(run_.body.mass * (g * t - v))};
-    event.contact_W = contact.p_stone;
-    event.normal_W = contact.n_W;
-    event.feature = contact.feature;
+  /// The end of all bounces, and a contact from there.
+  [[nodiscard]] Next close_bounces(Run<T>& run) {
+    const State<T> before = run.state;
+    const T v = run.state.v_WB.z();
+    const T g = -run.settings.gravity.z();
+    run.state.v_WB.z() = T(0);
+    run.state = formula::free_flight(run.state, run.rates, Vec3<T>(Vec3<T>::Zero()), length_);
+    run.time = run.time + length_;
+    run.record(EventKind::bounces_close, before, [&](Event<T>& event) {
+      event.impulse_W = {T(0), T(0), T(run.body.mass * (g * length_ - v))};
+      event.contact_W = hit_.contact.p_stone;
+      event.normal_W = hit_.contact.n_W;
+      event.feature = hit_.contact.feature;
+    });
+    return Next::contact;
   }
 
-  /// The contact phase. True when the drop has ended.
-  [[nodiscard]] bool stay(Feature feature) {
-    switch (contact_(feature)) {
-      case ContactEnd::rest:
-        run_.state.v_WB = run_.state.L_W = Vec3<T>::Zero();
-        end(DropStatus::rest);
-        return true;
-      case ContactEnd::time:
-        end(DropStatus::moving);
-        return true;
-      case ContactEnd::too_many_events:
-        end(DropStatus::too_many_events);
-        return true;
-      case ContactEnd::too_many_steps:
-        end(DropStatus::too_many_steps);
-        return true;
-      case ContactEnd::stuck:
-        end(DropStatus::not_converged);
-        return true;
-      case ContactEnd::lift_off:
-        lift_off();
-        return false;
-      case ContactEnd::board_edge:
-        note(EventKind::board_edge);
-        return false;
-      case ContactEnd::side:
-        hops_.touch_side();
-        note(EventKind::side);
-        return false;
-    }
-    return true;
-  }
-
-  void note(EventKind kind) {
-    Event<T>& event = run_.record(kind, run_.state);
-    event.feature = contact_.feature();
-    event.contact_W = run_.contact_W;
-    event.normal_W = {T(0), T(0), T(1)};
+  static void note(Run<T>& run, EventKind kind, Feature feature) {
+    run.record(kind, run.state, [&](Event<T>& event) {
+      event.feature = feature;
+      event.contact_W = run.contact_W;
+      event.normal_W = {T(0), T(0), T(1)};
+    });
   }
 
   /// The gap is zero and so is its rate, but it opens: flies until it is so wide that its sign is sure. If it does not
   /// open for a moment, round-off opens it.
-  void lift_off() {
-    const State<T> before = run_.state;
-    const T sure_time = opening_time(run_);
-    note(EventKind::lift_off);
-    run_.result.events.back().before = before;
-    if (T(0) < sure_time) {
-      advance(sure_time < run_.left() ? sure_time : run_.left());
+  void lift_off(Run<T>& run, Feature feature) {
+    note(run, EventKind::lift_off, feature);
+    length_ = opening_time(run);
+    if (T(0) < length_) {
+      leg_ = Leg::opening;
       return;
     }
-    Vec3<T>& p = run_.state.p_WB;
-    const T level = run_.level < T(0) ? T(-run_.level) : run_.level;
-    p.z() = p.z() + T(64) * std::numeric_limits<T>::epsilon() * (outer_width(run_.stone) + level);
+    Vec3<T>& p = run.state.p_WB;
+    const T level = run.level < T(0) ? T(-run.level) : run.level;
+    p.z() = p.z() + T(64) * std::numeric_limits<T>::epsilon() * (outer_width(run.stone) + level);
   }
 
-  Run<T>& run_;
-  ContactPhase<T> contact_;
   EdgeHops<T> hops_;
   Material<T> material_;
+  TimeOfImpact<T> hit_ = {};
+  Leg leg_ = Leg::on;
+  T length_ = T(0);
   static constexpr int most_stretches = 1000;  // of one flight along an edge
   int stretches_ = 0;
   T margin_ = T(2);  // [ε] of pushing out

@@ -3,7 +3,7 @@
 /// Contact under the laws of friction that are smooth in the slip.
 
 #include <array>
-#include <goishi/drop/dormand_prince.hpp>
+#include <goishi/drop/runge_kutta.hpp>
 #include <goishi/drop/kinetics.hpp>
 #include <goishi/drop/rolling.hpp>
 
@@ -27,28 +27,25 @@ class Gliding {
     return all_rates(y, slip_rate_at(y[at::slip], y[at::direction]));
   }
 
-  /// Dormand–Prince where the slip is not stiff, else the additive pair.
-  [[nodiscard]] Trial<T, variables> step(const Variables<T>& y, const Variables<T>& rate, const T& h, bool& possible) {
+  /// Dormand–Prince where the slip is not stiff, else the additive pair. False where there is no such step.
+  [[nodiscard]] bool step(const Variables<T>& y, const Variables<T>& rate, const T& h, Trial<T, variables>& trial) {
     jams_ = false;
-    Trial<T, variables> trial;
     const bool resists_stiffly = resistance_is_stiff(body_, y, N_, h);
     if (!resists_stiffly && h * stiffness_ < T(1)) {
       order_ = 5;
-      trial = dormand_prince(y, rate, h, *this);
-    } else {
-      order_ = 4;
-      const Components components = stiff::slip | (resists_stiffly ? stiff::turning : 0U);
-      trial = additive_runge_kutta<T, variables>(
-          y, rate, h, components, possible, [&](Variables<T>& stage, const T& reach, Variables<T>& k) {
-            return resists_stiffly ? solve_stage(stage, reach, k) : solve_slip(stage, reach, k);
-          });
-      if (!possible) {
-        return {};
-      }
-      trial.rate = (*this)(trial.y);
+      dormand_prince(y, rate, h, trial, *this);
+      return !jams_;
     }
-    possible = !jams_;
-    return trial;
+    order_ = 4;
+    const Components components = stiff::slip | (resists_stiffly ? stiff::turning : 0U);
+    if (!additive_runge_kutta<T, variables>(
+            y, rate, h, components, trial, [&](Variables<T>& stage, const T& reach, Variables<T>& k) {
+              return resists_stiffly ? solve_stage(stage, reach, k) : solve_slip(stage, reach, k);
+            })) {
+      return false;
+    }
+    trial.rate = (*this)(trial.y);
+    return !jams_;
   }
 
   [[nodiscard]] Guards<T> guards() const {
@@ -152,7 +149,7 @@ class Gliding {
     return formula::glide_slope(now.W, now.brake, rate, ratio_, share, s_x, s_y, body_.damping);
   }
 
-  const ContactBody<T>& body_;
+  ContactBody<T> body_;
   Feature feature_;
   Vec3<T> origin_;
   T ratio_ = T(0);                 // friction per normal force and slip

@@ -1,268 +1,354 @@
 #pragma once
 /// \file
-/// Integrates one set of contact equations, with error control, up to the event that ends their validity.
+/// Integrates one set of contact equations, step by step, with error control, up to the event that ends their validity.
 
 #include <array>
 #include <goishi/drop/contact_state.hpp>
-#include <goishi/drop/dormand_prince.hpp>
 #include <goishi/drop/energy_balance.hpp>
 #include <goishi/drop/gliding.hpp>
 #include <goishi/drop/rest.hpp>
 #include <goishi/drop/rolling.hpp>
+#include <goishi/drop/runge_kutta.hpp>
+#include <goishi/drop/sliding.hpp>
+#include <optional>
+#include <utility>
+#include <variant>
 
 namespace goishi::detail {
 
-/// Why the contact phase ended.
-enum class ContactEnd { rest, lift_off, board_edge, side, time, too_many_events, too_many_steps, stuck };
+/// What comes next while a set of equations holds: a step of theirs, their end at a guard, the last stretch to rest or to
+/// where a slip has gone, or nothing that could be found.
+enum class Course { steps, guard, rests, slip_stops, fails };
 
 template <Ordered T>
 class ContactIntegrator {
  public:
-  explicit ContactIntegrator(ContactState<T>& contact)
-      : contact_(contact),
-        run_(contact.run),
-        step_(T(1e-2) / contact.scales.frequency),
-        longest_step_(T(100) / contact.scales.frequency) {}
+  explicit ContactIntegrator(const Run<T>& run) : step_(T(1e-2) / run.scales.frequency) {}
 
-  /// Why it ended where `operator()` gives no guard.
-  [[nodiscard]] ContactEnd end() const { return end_; }
+  /// Begins with the equations that `contact.mode` names. What has `begun` just now goes on for a step at least.
+  [[nodiscard]] Course begin(Run<T>& run, ContactState<T>& contact, bool begun, Ahead<T>& ahead) {
+    switch (contact.mode) {
+      case ContactMode::rolling:
+        equations_.emplace(std::in_place_type<Rolling<T>>, run.contact_body, contact.feature, contact.origin);
+        break;
+      case ContactMode::sliding:
+        equations_.emplace(std::in_place_type<Sliding<T>>, run.contact_body, contact.feature, contact.origin);
+        break;
+      case ContactMode::gliding:
+        equations_.emplace(std::in_place_type<Gliding<T>>, run.contact_body, contact.feature, contact.origin);
+        break;
+    }
+    return visit(run, [&](auto& equations) { return begin(run, contact, equations, begun, ahead); });
+  }
 
-  /// Integrates until a guard changes its sign, and returns it; `none` where `end` says why it ended. What has `begun`
-  /// just now goes on for a step at least.
-  template <class Equations>
-  [[nodiscard]] Guard operator()(Equations& equations, bool begun) {
-    contact_.y[at::loss] = T(0);
-    Variables<T> rate = equations(contact_.y);
-    if (rests(equations, rate)) {
-      return over(equations, ContactEnd::rest);
-    }
-    if (slips() && stops_turning(contact_, equations, run_.settings.tolerance)) {
-      return over(equations, ContactEnd::time, Guard::turning);
-    }
-    if (!begun && turning_is_to_begin(equations, rate)) {
-      return over(equations, ContactEnd::time, Guard::onset);
-    }
-    EnergyBalance<T> balance(contact_, equations, run_.settings.tolerance);
-    GuardValues old = guards_of(equations, contact_.y);
-    Guard result = broken_at_once<Equations>(old);
-    while (result == Guard::none) {
-      const T left = run_.left();
-      if (!(T(0) < left)) {
-        return over(equations, ContactEnd::time);
-      }
-      T h = left < step_ ? left : step_;
-      h = longest_step_ < h ? longest_step_ : h;
-      equations.begin_step();
-      const T cut = short_of_standstill(equations, rate, h);
-      const bool is_cut = cut < h;
-      h = is_cut ? cut : h;
-      const T usual = step_;
-      Trial<T, variables> trial;
-      if (!accepted_step(equations, rate, balance, h, trial)) {
-        if (!run_.has_budget()) {
-          return over(equations, ContactEnd::too_many_steps);
-        }
-        end_ = ContactEnd::stuck;
-        result = equations.jams() ? Guard::jam : Guard::none;
-        break;
-      }
-      if (is_cut && !(h < cut) && step_ < usual) {
-        step_ = usual;
-      }
-      GuardValues now = guards_of(equations, trial.y);
-      result = locate(equations, rate, old, now, h, trial);
-      ++run_.result.counters.steps_accepted;
-      contact_.y = trial.y;
-      // Locating tries other steps: what the equations saw last is then not where it ends.
-      rate = result == Guard::none ? trial.rate : equations(trial.y);
-      contact_.normalize();
-      balance.restore(equations);
-      old = now;
-      run_.time = run_.time + h;
-      if (result != Guard::none) {
-        break;
-      }
-      if (rests(equations, rate)) {
-        return over(equations, ContactEnd::rest);
-      }
-      if (slips() && stops_turning(contact_, equations, run_.settings.tolerance)) {
-        result = Guard::turning;
-      } else if (ends_slip(equations, rate)) {
-        result = Guard::slip;
-      } else if (turning_is_to_begin(equations, rate)) {
-        result = Guard::onset;
-      }
-      if (result == Guard::none && contact_.carried_far()) {
-        run_.state.q_WB = contact_.attitude();
-        contact_.rebase(run_.state.q_WB);
-        contact_.y[at::spin] = T(0);
-        equations.carry_from(contact_.origin);
-        rate = equations(contact_.y);
-      }
-    }
-    run_.result.counters.contact_evaluations += equations.evaluations;
-    return result;
+  /// Plans the next step.
+  [[nodiscard]] Course plan(Run<T>& run, const ContactState<T>& contact, Ahead<T>& ahead) {
+    return visit(run, [&](auto& equations) { return plan(run, contact, equations, ahead); });
+  }
+
+  /// What follows a step, once it is over.
+  [[nodiscard]] Course after(Run<T>& run, ContactState<T>& contact, Ahead<T>& ahead) {
+    return visit(run, [&](auto& equations) { return after(run, contact, equations, ahead); });
+  }
+
+  /// The polynomial along the step that is planned from y.
+  [[nodiscard]] Interpolant<T, variables> along(const Variables<T>& y, const Ahead<T>& ahead) const {
+    return std::visit(
+        [&](auto equations) {  // a copy: it evaluates elsewhere
+          return interpolated(equations, y, ahead.to, ahead.length);
+        },
+        *equations_);
+  }
+
+  /// The guard that broke.
+  [[nodiscard]] Guard guard() const { return guard_; }
+
+  /// What the equations saw last.
+  [[nodiscard]] const Kinetics<T>& now() const {
+    return std::visit([](const auto& equations) -> const Kinetics<T>& { return equations.now; }, *equations_);
+  }
+  [[nodiscard]] const Vec3<T>& force() const {
+    return std::visit([](const auto& equations) -> const Vec3<T>& { return equations.force; }, *equations_);
   }
 
  private:
   using GuardValues = std::array<T, guard_count>;
 
+  template <class Function>
+  [[nodiscard]] Course visit(Run<T>& run, Function&& function) {
+    return std::visit(
+        [&](auto& equations) {
+          const Course course = function(equations);
+          run.counters.contact_evaluations += equations.evaluations;
+          equations.evaluations = 0;
+          return course;
+        },
+        *equations_);
+  }
+
   template <class Equations>
-  [[nodiscard]] Guard over(const Equations& equations, ContactEnd end, Guard guard = Guard::none) {
-    run_.result.counters.contact_evaluations += equations.evaluations;
-    end_ = end;
-    return guard;
+  [[nodiscard]] Course begin(const Run<T>& run, ContactState<T>& contact, Equations& equations, bool begun,
+                             Ahead<T>& ahead) {
+    contact.y[at::loss] = T(0);
+    rate_ = equations(contact.y);
+    if (rests(run, contact, equations, ahead)) {
+      return Course::rests;
+    }
+    if (slips(contact) && stops_turning(run.contact_body, equations, run.settings.tolerance)) {
+      return broken(Guard::turning);
+    }
+    if (!begun && turning_is_to_begin(run, equations)) {
+      return broken(Guard::onset);
+    }
+    balance_ = EnergyBalance<T>(run, equations, contact.y);
+    old_ = guards_of(run, contact, equations, contact.y);
+    return broken(broken_at_once<Equations>(old_));
+  }
+
+  template <class Equations>
+  [[nodiscard]] Course plan(Run<T>& run, const ContactState<T>& contact, Equations& equations, Ahead<T>& ahead) {
+    // Where nothing limits it, a step without end would never come to be looked at again.
+    const T longest = T(100) / run.scales.frequency;
+    T h = longest < step_ ? longest : step_;
+    equations.begin_step();
+    const T cut = short_of_standstill<Equations>(run, contact.y, h);
+    const bool is_cut = cut < h;
+    h = is_cut ? cut : h;
+    const T usual = step_;
+    if (!accepted_step(run, contact.y, equations, h)) {
+      guard_ = Guard::jam;
+      return equations.jams() ? Course::guard : Course::fails;
+    }
+    if (is_cut && !(h < cut) && step_ < usual) {
+      step_ = usual;
+    }
+    ++run.counters.steps_accepted;
+    ahead.length = h;
+    ahead.to = trial_.y;
+    ahead.known = false;
+    GuardValues now = guards_of(run, contact, equations, trial_.y);
+    guard_ = locate(run, contact, equations, now, ahead);
+    from_rate_ = rate_;
+    rate_ = guard_ == Guard::none ? trial_.rate : equations(ahead.to);
+    old_ = now;
+    const Variables<T> reached = ahead.to;
+    const T total = balance_.total();
+    reunite(ahead.to);
+    balance_.restore(run, equations, ahead.to);
+    ahead.ledger = {total, balance_.total(), run.settings.tolerance * run.scales.speed};
+    if (ahead.known) {
+      lead(ahead.along, reached, ahead.to);
+    }
+    return Course::steps;
+  }
+
+  template <class Equations>
+  [[nodiscard]] Course after(const Run<T>& run, ContactState<T>& contact, Equations& equations, Ahead<T>& ahead) {
+    if (guard_ != Guard::none) {
+      return Course::guard;
+    }
+    if (rests(run, contact, equations, ahead)) {
+      return Course::rests;
+    }
+    if (slips(contact) && stops_turning(run.contact_body, equations, run.settings.tolerance)) {
+      return broken(Guard::turning);
+    }
+    const Course slip = slip_after<Equations>(run, contact, ahead);
+    if (slip != Course::steps) {
+      return slip;
+    }
+    if (turning_is_to_begin(run, equations)) {
+      return broken(Guard::onset);
+    }
+    if (contact.rebase_if_far()) {
+      equations.carry_from(contact.origin);
+      rate_ = equations(contact.y);
+    }
+    return Course::steps;
+  }
+
+  [[nodiscard]] Course broken(Guard guard) {
+    guard_ = guard;
+    return guard == Guard::none ? Course::steps : Course::guard;
+  }
+
+  /// Bends a polynomial a little, so that it ends elsewhere.
+  static void lead(Interpolant<T, variables>& along, const Variables<T>& from, const Variables<T>& to) {
+    for (std::size_t i = 0; i < variables; ++i) {
+      const T change = to[i] - from[i];
+      along.c[2][i] = along.c[2][i] + T(3) * change;
+      along.c[3][i] = along.c[3][i] - T(2) * change;
+    }
+  }
+
+  /// Of the trial step of length h, from y to `to`.
+  template <class Equations>
+  [[nodiscard]] Interpolant<T, variables> interpolated(Equations& equations, const Variables<T>& y,
+                                                       const Variables<T>& to, const T& h) const {
+    const Interpolant<T, variables> rough = interpolant(y, from_rate_, to, trial_.rate, h, bend_of(trial_, from_rate_, h));
+    // The rates of what is stiff, at a place that is not quite right, are not.
+    return equations.order() == 5 ? sharpened(rough, h, equations) : rough;
   }
 
   // --- standing still
 
-  /// Whether the stone comes to rest, before the horizon; then it is there. Resistance brakes what is left of the motion
-  /// as it does now, so that the kinetic energy E falls as a square of the time left: that is 2E/−Ė.
+  /// Whether the stone comes to rest: ahead is the way there. Resistance brakes what is left of the motion as it does now,
+  /// so that the kinetic energy E falls as a square of the time left: that is 2E/−Ė.
   template <class Equations>
-  [[nodiscard]] bool rests(const Equations& equations, const Variables<T>& rate) {
-    Variables<T>& y = contact_.y;
-    if (!is_at_rest(contact_, equations, run_.settings.tolerance)) {
+  [[nodiscard]] bool rests(const Run<T>& run, const ContactState<T>& contact, const Equations& equations,
+                           Ahead<T>& ahead) const {
+    const Variables<T>& y = contact.y;
+    const ContactBody<T>& body = run.contact_body;
+    if (!is_at_rest(body, equations, y, run.settings.tolerance)) {
       return false;
     }
     const Kinetics<T>& k = equations.now;
-    const Vec3<T>& g = contact_.body.gravity;
+    const Vec3<T>& g = body.gravity;
     const T energy = formula::contact_kinetic_energy(k, equations.slip_x(y), equations.slip_y(y));
-    const T taken = rate[at::loss] - (g.x() * rate[at::x] + g.y() * rate[at::y] - g.z() * k.point.z());
-    const T stop = no_energy(contact_.body) < energy && T(0) < taken ? T(T(2) * energy / taken) : T(0);
-    if (run_.left() < stop) {
-      return false;
-    }
-    Variables<T> there = y;
+    const T taken = rate_[at::loss] - (g.x() * rate_[at::x] + g.y() * rate_[at::y] - g.z() * k.point.z());
+    const T stop = no_energy(body) < energy && T(0) < taken ? T(T(2) * energy / taken) : T(0);
+    ahead.length = stop;
+    ahead.to = y;
+    ahead.along = {};
+    ahead.along.c[0] = y;
     for (std::size_t i = 0; i < at::loss; ++i) {
-      there[i] = there[i] + stop / T(2) * rate[i];
+      ahead.to[i] = y[i] + stop / T(2) * rate_[i];
+      ahead.along.c[1][i] = stop * rate_[i];
+      ahead.along.c[2][i] = -(stop / T(2) * rate_[i]);
     }
-    if (T(0) < stop && !is_held(contact_.body, kinetics(contact_.body, contact_.feature, there).r)) {
+    if (T(0) < stop && !is_held(body, kinetics(body, contact.feature, ahead.to).r)) {
       return false;
     }
-    y = there;
-    run_.time = run_.time + stop;
-    stand_still();
+    const auto ceases = [&](std::size_t i) {
+      ahead.along.c[1][i] = -y[i];
+      ahead.to[i] = T(0);
+    };
+    for (std::size_t i = at::L; i <= at::slip; ++i) {
+      ceases(i);
+    }
+    if (contact.mode == ContactMode::gliding) {
+      ceases(at::direction);
+    }
+    ahead.known = true;
+    ahead.ledger.reset();
+    reunite(ahead.to);
     return true;
   }
 
-  void stand_still() {
-    Variables<T>& y = contact_.y;
-    y[at::L] = y[at::L + 1] = y[at::L + 2] = y[at::slip] = T(0);
-    if (contact_.mode == ContactMode::gliding) {
-      y[at::direction] = T(0);
-    }
-    contact_.normalize();
-  }
-
   /// Whether a slip has a direction: a dry one that begins has not yet.
-  [[nodiscard]] bool slips() const { return contact_.mode != ContactMode::sliding || T(0) < contact_.y[at::slip]; }
+  [[nodiscard]] static bool slips(const ContactState<T>& contact) {
+    return contact.mode != ContactMode::sliding || T(0) < contact.y[at::slip];
+  }
 
   /// Whether resistance has stopped the turning, or a stone that does not turn yet will: which way, the equations do not
   /// say there, since resistance is against it.
   template <class Equations>
-  [[nodiscard]] bool turning_is_to_begin(const Equations& equations, const Variables<T>& rate) const {
+  [[nodiscard]] bool turning_is_to_begin(const Run<T>& run, const Equations& equations) const {
     const Kinetics<T>& k = equations.now;
-    return contact_.body.resists && T(0) < k.need.z() && !contact_.turns(k.w) &&
-           k.w.x() * rate[at::L] + k.w.y() * rate[at::L + 1] + k.w.z() * rate[at::L + 2] <= T(0);
+    return run.contact_body.resists && T(0) < k.need.z() && !ContactState<T>::turns(run, k.w) &&
+           k.w.x() * rate_[at::L] + k.w.y() * rate_[at::L + 1] + k.w.z() * rate_[at::L + 2] <= T(0);
   }
 
   /// The step cut to just before the turning ceases, if it does within it: as L goes now, J L · L has a least value that is
   /// next to nothing. A dry slip is cut in the same way.
   template <class Equations>
-  [[nodiscard]] T short_of_standstill(const Equations&, const Variables<T>& rate, T h) const {
+  [[nodiscard]] T short_of_standstill(const Run<T>& run, const Variables<T>& y, T h) const {
     if constexpr (Equations::names[3] == Guard::slip) {
-      const T way = T(-0.8) * contact_.y[at::slip];
-      h = way < T(0) && h * rate[at::slip] < way ? T(way / rate[at::slip]) : h;
+      const T way = T(-0.8) * y[at::slip];
+      h = way < T(0) && h * rate_[at::slip] < way ? T(way / rate_[at::slip]) : h;
     }
-    if (!contact_.body.resists) {
+    const ContactBody<T>& body = run.contact_body;
+    if (!body.resists) {
       return h;
     }
-    const Variables<T>& y = contact_.y;
     const Vec3<T> u(y[at::u], y[at::u + 1], y[at::u + 2]), L(y[at::L], y[at::L + 1], y[at::L + 2]);
-    const Vec3<T> L_rate(rate[at::L], rate[at::L + 1], rate[at::L + 2]);
-    const Vec3<T> w_rate = formula::turning(contact_.body.mobility, u, L_rate);
+    const Vec3<T> L_rate(rate_[at::L], rate_[at::L + 1], rate_[at::L + 2]);
+    const Vec3<T> w_rate = formula::turning(body.mobility, u, L_rate);
     const T falls = -formula::dot(L, w_rate), bends = formula::dot(L_rate, w_rate);
     if (!(falls < h * bends) || !(T(0) < falls)) {
       return h;
     }
-    const T now = formula::dot(L, formula::turning(contact_.body.mobility, u, L));
+    const T now = formula::dot(L, formula::turning(body.mobility, u, L));
     return now - falls * (falls / bends) < T(0.0025) * now ? T(T(0.98) * (falls / bends)) : h;
   }
 
   // --- steps
 
-  /// A step that the error control accepts. False where there is none, or no budget for another try.
+  /// A step of at most h that the error control accepts, into `trial_`. False where there is none. (A step that fails is a
+  /// tenth shorter at least the next time, so that some 300 tries are the most.)
   template <class Equations>
-  [[nodiscard]] bool accepted_step(Equations& equations, const Variables<T>& rate, const EnergyBalance<T>& balance,
-                                   T& h, Trial<T, variables>& trial) {
-    const T shortest = shortest_step();
-    bool tried = false;
-    while (run_.has_budget()) {
-      bool possible = true;
-      trial = equations.step(contact_.y, rate, h, possible);
+  [[nodiscard]] bool accepted_step(Run<T>& run, const Variables<T>& y, Equations& equations, T& h) {
+    const T shortest = shortest_step(run);
+    for (bool tried = false;; tried = true) {
+      const bool possible = equations.step(y, rate_, h, trial_);
       T error = T(1e10);  // as far off as `step_factor` counts
       if (possible) {
         // A step that oversteps a whole feature meets smooth rates on either side of it; the energy shows it.
-        const T worst = balance.defect(equations, trial.y);
-        const T estimated = error_of(equations, trial, h);
+        const T worst = balance_.defect(run, equations, trial_.y);
+        const T estimated = error_of(run, equations, h);
         error = worst <= estimated ? estimated : worst;
       }
       const T suggested = step_factor(error, equations.order());
       // What has just been too long is not tried again at once.
       const T factor = tried && T(1) < suggested ? T(1) : suggested;
-      tried = true;
       // The shortest step passes what no error control can: a jump of the equations.
       if (error <= T(1) || (possible && h < shortest)) {
         step_ = h * factor;
         return true;
       }
-      ++run_.result.counters.steps_rejected;
+      ++run.counters.steps_rejected;
       h = h * factor;
       if (h < T(1e-3) * shortest) {
         return false;
       }
     }
-    return false;
   }
 
   /// Round-off of the time   [s].
-  [[nodiscard]] T shortest_step() const {
-    return T(16) * std::numeric_limits<T>::epsilon() * (run_.time + T(1000) / contact_.scales.frequency);
+  [[nodiscard]] static T shortest_step(const Run<T>& run) {
+    return T(16) * std::numeric_limits<T>::epsilon() * (run.time + T(1000) / run.scales.frequency);
   }
 
   /// Whether dry slip ends now: what is left of it is below a hundredth of a step's error, or will be gone so soon that its
-  /// brake stays the same till then. Then it has gone.
+  /// brake stays the same till then: ahead is the way there.
   template <class Equations>
-  [[nodiscard]] bool ends_slip(const Equations&, const Variables<T>& rate) {
+  [[nodiscard]] Course slip_after(const Run<T>& run, ContactState<T>& contact, Ahead<T>& ahead) {
     if constexpr (Equations::names[3] == Guard::slip) {
-      Variables<T>& y = contact_.y;
-      const T sigma = y[at::slip], braking = -rate[at::slip], tolerance = run_.settings.tolerance;
+      Variables<T>& y = contact.y;
+      const T sigma = y[at::slip], braking = -rate_[at::slip], tolerance = run.settings.tolerance;
       if (!(T(0) < braking)) {
-        return false;
+        return Course::steps;
       }
-      const T rest = sigma / braking, turned = size_of(T(rest * rate[at::direction]));
-      const T little = T(0.01) * tolerance * contact_.scales.speed;
-      if (scalar::sq(T(rest * contact_.scales.frequency / contact_.scales.thinness)) < T(1e-5) * tolerance &&
-          sigma * turned < little && rest < run_.left()) {
+      const T rest = sigma / braking, turned = size_of(T(rest * rate_[at::direction]));
+      const T little = T(0.01) * tolerance * run.scales.speed;
+      if (scalar::sq(T(rest * run.scales.frequency / run.scales.thinness)) < T(1e-5) * tolerance &&
+          sigma * turned < little) {
+        ahead.length = rest;
+        ahead.to = y;
         for (std::size_t i = 0; i < at::slip; ++i) {
-          y[i] = y[i] + rest * rate[i];
+          ahead.to[i] = y[i] + rest * rate_[i];
         }
-        contact_.normalize();
-        run_.time = run_.time + rest;
-      } else if (!(sigma < little || rest < shortest_step())) {
-        return false;
+        ahead.to[at::slip] = T(0);
+        ahead.straight(y);
+        reunite(ahead.to);
+        guard_ = Guard::slip;
+        return Course::slip_stops;
       }
-      y[at::slip] = T(0);
-      return true;
+      if (sigma < little || rest < shortest_step(run)) {
+        return broken(Guard::slip);
+      }
     }
-    return false;
+    return Course::steps;
   }
 
+  // --- guards
+
   template <class Equations>
-  [[nodiscard]] GuardValues guards_of(const Equations& equations, const Variables<T>& y) const {
+  [[nodiscard]] static GuardValues guards_of(const Run<T>& run, const ContactState<T>& contact,
+                                             const Equations& equations, const Variables<T>& y) {
     GuardValues value = equations.guards().value;
-    if (run_.board != nullptr) {
-      value[guard_count - 1] = contact_.support_guard(equations.now, y) / contact_.scales.length;
+    if (run.board) {
+      value[guard_count - 1] = contact.support_guard(run, equations.now, y) / run.scales.length;
     }
     return value;
   }
@@ -281,16 +367,17 @@ class ContactIntegrator {
     return Guard::none;
   }
 
-  /// Whether a guard breaks within the step: the first that does, and the step cut to where it does.
+  /// Whether a guard breaks within the step: the first that does; ahead is then the way to where it does.
   template <class Equations>
-  [[nodiscard]] Guard locate(Equations& equations, const Variables<T>& rate, const GuardValues& old, GuardValues& now,
-                             T& h, Trial<T, variables>& trial) {
+  [[nodiscard]] Guard locate(Run<T>& run, const ContactState<T>& contact, Equations& equations, GuardValues& now,
+                             Ahead<T>& ahead) {
     Guard found = Guard::none;
+    T share(1);
     for (std::size_t pass = 0; pass < guard_count; ++pass) {
       std::size_t which = guard_count;
       for (std::size_t i = 0; i < guard_count; ++i) {
         const Guard name = Equations::names[i];
-        if (name != Guard::none && name != found && now[i] < T(0) && now[i] < old[i]) {
+        if (name != Guard::none && name != found && now[i] < T(0) && now[i] < old_[i]) {
           which = i;
           break;
         }
@@ -298,37 +385,45 @@ class ContactIntegrator {
       if (which == guard_count) {
         break;
       }
+      if (found == Guard::none) {
+        from_rate_ = rate_;
+        ahead.along = interpolated(equations, contact.y, trial_.y, ahead.length);
+      }
       found = Equations::names[which];
-      find(equations, rate, old, now, which, h, trial);
+      const auto guards_at = [&](const T& theta) {
+        ++run.counters.evaluations_located;
+        const Variables<T> y = ahead.along(theta);
+        static_cast<void>(equations(y));
+        return guards_of(run, contact, equations, y);
+      };
+      find<Equations>(which, now, share, guards_at);
+    }
+    if (found != Guard::none) {
+      ahead.along = ahead.along.cut(share);
+      ahead.length = share * ahead.length;
+      ahead.to = ahead.along(T(1));
+      ahead.known = true;
     }
     return found;
   }
 
-  /// Illinois on the length of the step.
-  template <class Equations>
-  void find(Equations& equations, const Variables<T>& rate, const GuardValues& old, GuardValues& now, std::size_t which,
-            T& h, Trial<T, variables>& trial) {
+  /// Illinois on the share of the step, from where the guard is broken, `now`, on.
+  template <class Equations, class GuardsAt>
+  void find(std::size_t which, GuardValues& now, T& share, GuardsAt&& guards_at) const {
     constexpr int most_steps = 60;
     const T small = at_least(T(1e-12), T(32) * std::numeric_limits<T>::epsilon());
-    T low(0), high = h, low_value = old[which], high_value = now[which];
-    // From a change of equations the guard starts at zero: some shorter step is to show it positive first. A slip is zero
+    T low(0), high = share, low_value = old_[which], high_value = now[which];
+    // From a change of equations the guard starts at zero: some shorter way is to show it positive first. A slip is zero
     // then without round-off, and however short it lives counts: that time has to pass.
     const T shown = Equations::names[which] == Guard::slip ? T(0) : small;
     for (int i = 0; i < most_steps && !(shown < low_value); ++i) {
       const T middle = high / T(2);
-      bool possible = true;
-      const Trial<T, variables> other = equations.step(contact_.y, rate, middle, possible);
-      ++run_.result.counters.steps_located;
-      if (!possible) {
-        break;
-      }
-      const GuardValues then = guards_of(equations, other.y);
+      const GuardValues then = guards_at(middle);
       if (shown < then[which]) {
         low = middle;
         low_value = then[which];
       } else {
-        trial = other;
-        h = high = middle;
+        share = high = middle;
         now = then;
         high_value = then[which];
       }
@@ -345,15 +440,8 @@ class ContactIntegrator {
       if (!(low < middle && middle < high)) {
         break;
       }
-      bool possible = true;
-      const Trial<T, variables> other = equations.step(contact_.y, rate, middle, possible);
-      ++run_.result.counters.steps_located;
-      if (!possible) {
-        break;
-      }
-      trial = other;
-      h = middle;
-      now = guards_of(equations, trial.y);
+      share = middle;
+      now = guards_at(middle);
       const T value = now[which];
       const int side = value < T(0) ? -1 : 1;
       (side < 0 ? high : low) = middle;
@@ -369,20 +457,21 @@ class ContactIntegrator {
 
   /// The greatest error of a variable over what is allowed.
   template <class Equations>
-  [[nodiscard]] T error_of(const Equations& equations, const Trial<T, variables>& trial, const T& h) const {
+  [[nodiscard]] T error_of(const Run<T>& run, const Equations& equations, const T& h) const {
+    const Trial<T, variables>& trial = trial_;
     const T momentum2 = scalar::sq(trial.y[at::L]) + scalar::sq(trial.y[at::L + 1]) + scalar::sq(trial.y[at::L + 2]);
     // Where a stone hardly turns, what matters is in which direction: resistance goes by that. With the coarser scale the
     // integration finds false states of slow creep there.
-    const T usual = contact_.scales.thinness * contact_.scales.frequency / contact_.body.mobility.transverse;
+    const T usual = run.scales.thinness * run.scales.frequency / run.contact_body.mobility.transverse;
     const T slow = T(1e-3) * usual;
-    const T least = contact_.body.resists && momentum2 < scalar::sq(slow) ? slow : usual;
+    const T least = run.contact_body.resists && momentum2 < scalar::sq(slow) ? slow : usual;
     const T momentum = scalar::sqrt(T(momentum2 + scalar::sq(least)));
     const auto place = [&](const T& x) {  // no error is below round-off
-      return T(1) / (contact_.scales.length +
-                     T(64) * std::numeric_limits<T>::epsilon() / run_.settings.tolerance * size_of(x));
+      return T(1) / (run.scales.length +
+                     T(64) * std::numeric_limits<T>::epsilon() / run.settings.tolerance * size_of(x));
     };
-    const T& speed = contact_.scales.speed;
-    const T& thin = contact_.scales.thinness;
+    const T& speed = run.scales.speed;
+    const T& thin = run.scales.thinness;
     const std::array<T, variables> weight = {T(T(1) / thin),
                                              T(T(1) / thin),
                                              T(T(1) / thin),
@@ -402,14 +491,17 @@ class ContactIntegrator {
         worst = error;
       }
     }
-    return worst / run_.settings.tolerance;
+    return worst / run.settings.tolerance;
   }
 
-  ContactState<T>& contact_;
-  Run<T>& run_;
-  T step_;          // [s] to try next
-  T longest_step_;  // [s] where nothing limits it: a step without end would never come to the horizon
-  ContactEnd end_ = ContactEnd::time;
+  std::optional<std::variant<Rolling<T>, Sliding<T>, Gliding<T>>> equations_;
+  EnergyBalance<T> balance_;
+  Variables<T> rate_ = {};       // where the equations have got to
+  Variables<T> from_rate_ = {};  // where the planned step begins
+  Trial<T, variables> trial_ = {};
+  GuardValues old_ = {};
+  Guard guard_ = Guard::none;
+  T step_;  // [s] to try next
 };
 
 }  // namespace goishi::detail

@@ -116,19 +116,38 @@ template <Ordered T>
 }
 
 template <Ordered T>
-[[nodiscard]] inline Kinetics<T> kinetics(const ContactBody<T>& body, Feature feature, const Variables<T>& y) {
-  // The rates see the axis' direction, so that its length, which the integration lets drift, is nobody's.
-  const Vec3<T> u = formula::reunited_axis(Vec3<T>(y[at::u], y[at::u + 1], y[at::u + 2]));
-  const Vec3<T> L(y[at::L], y[at::L + 1], y[at::L + 2]);
+[[nodiscard]] inline ContactGeometry<T> geometry_of(const Stone<T>& stone, Feature feature, const Vec3<T>& u) {
   const T radial_square = scalar::sq(u.x()) + scalar::sq(u.y());
-  const ContactGeometry<T> geometry =
-      feature == Feature::rim
-          ? formula::rim_contact(body.stone, T(u.z()), scalar::sqrt(radial_square))
-          : formula::cap_contact(body.stone, feature == Feature::lower_cap ? T(1) : T(-1), T(u.z()), radial_square);
-  Kinetics<T> k{formula::contact_motion(body.mobility, body.gravity, geometry, u, L), Vec3<T>::Zero(), Vec3<T>::Zero()};
+  return feature == Feature::rim
+             ? formula::rim_contact(stone, T(u.z()), scalar::sqrt(radial_square))
+             : formula::cap_contact(stone, feature == Feature::lower_cap ? T(1) : T(-1), T(u.z()), radial_square);
+}
+
+// The rates see the axis' direction, so that its length, which the integration lets drift, is nobody's.
+template <Ordered T>
+[[nodiscard]] inline Vec3<T> axis_of(const Variables<T>& y) {
+  return formula::reunited_axis(Vec3<T>(y[at::u], y[at::u + 1], y[at::u + 2]));
+}
+template <Ordered T>
+[[nodiscard]] inline Vec3<T> momentum_of(const Variables<T>& y) {
+  return {y[at::L], y[at::L + 1], y[at::L + 2]};
+}
+
+template <Ordered T>
+[[nodiscard]] inline ContactPlace<T> place_of(const ContactBody<T>& body, Feature feature, const Variables<T>& y) {
+  const Vec3<T> u = axis_of(y);
+  return formula::contact_place(body.mobility, geometry_of(body.stone, feature, u), u, momentum_of(y));
+}
+
+template <Ordered T>
+[[nodiscard]] inline Kinetics<T> kinetics(const ContactBody<T>& body, Feature feature, const Variables<T>& y) {
+  const Vec3<T> u = axis_of(y);
+  Kinetics<T> k{formula::contact_motion(body.mobility, body.gravity, geometry_of(body.stone, feature, u), u,
+                                        momentum_of(y)),
+                Vec3<T>::Zero(), Vec3<T>::Zero()};
   if (body.resists) {
     k.torque = resistance_torque(body, k.w);
-    k.brake = formula::turned_point(body.mobility, u, k.r, k.torque);
+    k.brake = formula::turned_point(body.mobility, k.u, k.r, k.torque);
   }
   return k;
 }

@@ -4,27 +4,30 @@
 /// centre moves.
 
 #include <array>
-#include <goishi/drop/dormand_prince.hpp>
+#include <goishi/drop/runge_kutta.hpp>
 #include <goishi/drop/run.hpp>
 #include <goishi/drop/statics.hpp>
 
 namespace goishi::detail {
 
-/// How a stretch of it ended.
-enum class LockedEnd { stopped, time, support, unlocked, too_many_steps };
+/// What follows a stretch of it.
+enum class LockedEnd { none, stopped, support, unlocked };
 
 template <Ordered T>
 class LockedSlide {
  public:
   using Motion = std::array<T, 4>;  // x, y, v_x, v_y
 
-  LockedSlide(Run<T>& run, const Vec3<T>& r)
-      : run_(run),
-        body_(run.contact_body),
+  /// Of a stone whose contact is at r from its centre, from a motion on.
+  LockedSlide(const Run<T>& run, const Vec3<T>& r, const Motion& y)
+      : body_(run.contact_body),
         at_{r, {T(0), T(0), T(1)}},
         length_(run.scales.length),
         speed_(run.scales.speed),
-        tolerance_(run.settings.tolerance) {}
+        tolerance_(run.settings.tolerance),
+        step_(length_ / speed_),
+        y_(y),
+        rate_((*this)(y)) {}
 
   [[nodiscard]] Motion operator()(const Motion& y) const {
     const Vec3<T> f = force(y);
@@ -32,85 +35,92 @@ class LockedSlide {
             formula::damped(T(f.y() + body_.gravity.y()), body_.damping, y[3])};
   }
 
-  /// Integrates up to the horizon, or until the contact point leaves where `inside(x, y)` is positive. The run's time
-  /// goes along.
+  /// Plans the next stretch: how long it is and the way, at whose end `end` says what follows. The contact point is to stay
+  /// where `inside(x, y)` is positive.
   template <class Inside>
-  [[nodiscard]] LockedEnd run(Motion& y, Inside&& inside) {
+  [[nodiscard]] T plan(DropCounters& counters, Interpolant<T, 4>& along, Inside&& inside) {
+    const T speed = size_of(y_[2], y_[3]);
+    if (is_in_cone(body_, at_.n, Vec3<T>(-body_.gravity)) && speed <= T(0.01) * tolerance_ * speed_) {
+      end_ = LockedEnd::stopped;
+      return stop(along, speed);
+    }
+    if (!(resistance_share(body_, at_, force(y_)) < T(1))) {
+      end_ = LockedEnd::unlocked;
+      along = {};
+      along.c[0] = y_;
+      return T(0);
+    }
     const T longest = T(100) * length_ / speed_;
-    T step = length_ / speed_;
-    Motion rate = (*this)(y);
-    while (run_.has_budget()) {
-      const T speed = size_of(y[2], y[3]);
-      if (is_in_cone(body_, at_.n, Vec3<T>(-body_.gravity)) && speed <= T(0.01) * tolerance_ * speed_) {
-        stop(y, rate, speed);
-        return LockedEnd::stopped;
-      }
-      const T left = run_.left();
-      if (!(T(0) < left)) {
-        return LockedEnd::time;
-      }
-      if (!(resistance_share(body_, at_, force(y)) < T(1))) {
-        return LockedEnd::unlocked;
-      }
-      T h = step < left ? step : left;
-      h = longest < h ? longest : h;
-      const T braking = -(y[2] * rate[2] + y[3] * rate[3]);
-      const bool short_of_stop =
-          T(0) < static_friction(body_) && T(0) < braking && T(0.9) * scalar::sq(speed) < h * braking;
-      if (short_of_stop) {
-        h = T(0.9) * scalar::sq(speed) / braking;
-      }
-      bool possible = true;
-      const Trial<T, 4> trial = stepped(y, rate, h, possible);
-      const T error =
-          (size_of(trial.error[0], trial.error[1]) / length_ + size_of(trial.error[2], trial.error[3]) / speed_) /
-          tolerance_;
-      if (!possible || (!(error <= T(1)) && shortest() < h)) {
-        ++run_.result.counters.steps_rejected;
-        step = h * (possible ? step_factor(error, 4) : T(1) / T(5));
+    T h = longest < step_ ? longest : step_;
+    const T braking = -(y_[2] * rate_[2] + y_[3] * rate_[3]);
+    const bool short_of_stop =
+        T(0) < static_friction(body_) && T(0) < braking && T(0.9) * scalar::sq(speed) < h * braking;
+    if (short_of_stop) {
+      h = T(0.9) * scalar::sq(speed) / braking;
+    }
+    end_ = LockedEnd::none;
+    while (true) {
+      Trial<T, 4> trial;
+      const bool possible = step(y_, rate_, h, trial);
+      const T error = possible ? T((size_of(trial.error[0], trial.error[1]) / length_ +
+                                    size_of(trial.error[2], trial.error[3]) / speed_) /
+                                   tolerance_)
+                               : T(0);
+      const bool shortest = !(T(1e3) * std::numeric_limits<T>::epsilon() * length_ / speed_ < h);
+      if (!possible || (!(error <= T(1)) && !shortest)) {
+        ++counters.steps_rejected;
+        h = h * (possible ? step_factor(error, 4) : T(1) / T(5));
+        step_ = h;
         continue;
       }
-      ++run_.result.counters.steps_accepted;
-      if (!(T(0) < inside(trial.y[0], trial.y[1]))) {
-        cross(y, rate, h, inside);
-        run_.time = run_.time + h;
-        return LockedEnd::support;
+      ++counters.steps_accepted;
+      step_ = short_of_stop ? step_ : T(h * step_factor(error, 4));
+      along = interpolant(y_, rate_, trial.y, trial.rate, h, bend_of(trial, rate_, h));
+      y_ = trial.y;
+      rate_ = trial.rate;
+      if (!(T(0) < inside(y_[0], y_[1]))) {
+        end_ = LockedEnd::support;
+        const T share = crossing(along, inside);
+        along = along.cut(share);
+        y_ = along(T(1));
+        h = share * h;
       }
-      step = short_of_stop ? step : T(h * step_factor(error, 4));
-      y = trial.y;
-      rate = trial.rate;
-      run_.time = run_.time + h;
+      return h;
     }
-    return LockedEnd::too_many_steps;
   }
+
+  [[nodiscard]] LockedEnd end() const { return end_; }
+  [[nodiscard]] const Motion& motion() const { return y_; }
 
  private:
   [[nodiscard]] static T size_of(const T& x, const T& y) { return scalar::sqrt(T(scalar::sq(x) + scalar::sq(y))); }
 
-  [[nodiscard]] T shortest() const { return T(1e3) * std::numeric_limits<T>::epsilon() * length_ / speed_; }
-
   /// The last of the slip, which the present friction brakes: v²/2 over its rate.
-  void stop(Motion& y, const Motion& rate, const T& speed) {
-    const T braking = -(y[2] * rate[2] + y[3] * rate[3]);
-    const T rest = T(0) < braking && T(0) < static_friction(body_) ? T(scalar::sq(speed) / braking) : T(0);
-    const T t = run_.left() < rest ? run_.left() : rest;
-    y = {T(y[0] + t / T(2) * y[2]), T(y[1] + t / T(2) * y[3]), T(0), T(0)};
-    run_.time = run_.time + t;
+  [[nodiscard]] T stop(Interpolant<T, 4>& along, const T& speed) {
+    const T braking = -(y_[2] * rate_[2] + y_[3] * rate_[3]);
+    const T t = T(0) < braking && T(0) < static_friction(body_) ? T(scalar::sq(speed) / braking) : T(0);
+    along = {};
+    along.c[0] = y_;
+    along.c[1] = {T(t * y_[2]), T(t * y_[3]), T(-y_[2]), T(-y_[3])};
+    along.c[2] = {T(-(t / T(2) * y_[2])), T(-(t / T(2) * y_[3])), T(0), T(0)};
+    y_ = {T(y_[0] + t / T(2) * y_[2]), T(y_[1] + t / T(2) * y_[3]), T(0), T(0)};
+    return t;
   }
 
   /// Dormand–Prince, or where a smooth law is stiff the additive pair.
-  [[nodiscard]] Trial<T, 4> stepped(const Motion& y, const Motion& rate, const T& h, bool& possible) const {
+  [[nodiscard]] bool step(const Motion& y, const Motion& rate, const T& h, Trial<T, 4>& trial) const {
     const T braked = h * (friction_per_speed(size_of(y[2], y[3])) + body_.damping);
     if (body_.model == FrictionModel::dry || braked < T(1)) {
-      return dormand_prince(y, rate, h, *this);
+      dormand_prince(y, rate, h, trial, *this);
+      return true;
     }
-    Trial<T, 4> trial =
-        additive_runge_kutta<T, 4>(y, rate, h, 0b1100U, possible,
-                                   [&](Motion& stage, const T& reach, Motion& k) { return solve(stage, reach, k); });
-    if (possible) {
-      trial.rate = (*this)(trial.y);
+    if (!additive_runge_kutta<T, 4>(
+            y, rate, h, 0b1100U, trial,
+            [&](Motion& stage, const T& reach, Motion& k) { return solve(stage, reach, k); })) {
+      return false;
     }
-    return trial;
+    trial.rate = (*this)(trial.y);
+    return true;
   }
 
   /// The velocity of an implicit stage, v = v' + reach v̇(v), by Newton's method.
@@ -158,23 +168,24 @@ class LockedSlide {
     return formula::friction_force(T(-body_.gravity.z()), friction_per_speed(size_of(y[2], y[3])), y[2], y[3]);
   }
 
-  /// The step cut to where the contact point leaves, by bisection: to just outside.
+  /// The share of the way at which the contact point leaves, by bisection: just outside.
   template <class Inside>
-  void cross(Motion& y, const Motion& rate, T& h, Inside&& inside) const {
-    T low(0), high = h;
-    for (int i = 0; i < 60 && shortest() < high - low; ++i) {
+  [[nodiscard]] static T crossing(const Interpolant<T, 4>& along, Inside&& inside) {
+    T low(0), high(1);
+    for (int i = 0; i < std::numeric_limits<T>::digits && low < high; ++i) {
       const T middle = (low + high) / T(2);
-      const Trial<T, 4> trial = dormand_prince(y, rate, middle, *this);
-      (T(0) < inside(trial.y[0], trial.y[1]) ? low : high) = middle;
+      const Motion y = along(middle);
+      (T(0) < inside(y[0], y[1]) ? low : high) = middle;
     }
-    h = high;
-    y = dormand_prince(y, rate, h, *this).y;
+    return high;
   }
 
-  Run<T>& run_;
-  const ContactBody<T>& body_;
+  ContactBody<T> body_;
   Support<T> at_;
   T length_, speed_, tolerance_;
+  T step_;  // [s] to try next
+  Motion y_, rate_;
+  LockedEnd end_ = LockedEnd::none;
 };
 
 }  // namespace goishi::detail

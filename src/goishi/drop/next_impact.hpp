@@ -74,7 +74,7 @@ template <Ordered T>
 template <Ordered T>
 [[nodiscard]] TimeOfImpact<T> next_impact(const Run<T>& run, const T& left) {
   const FlightPath<T> path = path_of(run.state, run.rates, run.settings.gravity);
-  if (run.board == nullptr) {
+  if (!run.board) {
     return time_of_impact(run.stone, path, Plane<T>{}, left);
   }
   // Over the middle of the surface the flight has one axis to ask.

@@ -3,7 +3,7 @@
 /// When a stone in contact comes to rest, and when one that slips stops turning: forces hold it, and what is left of the
 /// motion does not take it anywhere.
 
-#include <goishi/drop/contact_state.hpp>
+#include <goishi/drop/kinetics.hpp>
 #include <goishi/drop/statics.hpp>
 
 namespace goishi {
@@ -46,33 +46,33 @@ template <Ordered T>
 /// Whether a stone that slips has stopped turning, and resistance holds it so. The force that then acts has the direction
 /// of the present one, and bears the weight.
 template <Ordered T, class Equations>
-[[nodiscard]] bool stops_turning(const ContactState<T>& contact, const Equations& equations, const T& angle) {
+[[nodiscard]] bool stops_turning(const ContactBody<T>& body, const Equations& equations, const T& angle) {
   if constexpr (Equations::used < variables) {
     return false;
   }
   const Kinetics<T>& k = equations.now;
-  const T energy = formula::dot(k.L, k.w) / T(2), N = -contact.body.gravity.z();
-  if (!(energy <= N * greatest_lever(contact.body) * angle)) {
+  const T energy = formula::dot(k.L, k.w) / T(2), N = -body.gravity.z();
+  if (!(energy <= N * greatest_lever(body) * angle)) {
     return false;
   }
   const Vec3<T> force = formula::scaled(T(N / equations.force.z()), equations.force);
-  const T share = resistance_share(contact.body, {k.r, {T(0), T(0), T(1)}}, force);
+  const T share = resistance_share(body, {k.r, {T(0), T(0), T(1)}}, force);
   // By a margin: at the limit itself a stone would be let go at once, and stopped again.
-  return share < T(0.999) && energy <= N * resistance_lever(contact.body, k.w) * (T(1) - share) * angle;
+  return share < T(0.999) && energy <= N * resistance_lever(body, k.w) * (T(1) - share) * angle;
 }
 
 /// At rest: what is left of the kinetic energy is less than resistance takes in turning by `angle` (rad), and statics
 /// holds the stone.
 template <Ordered T, class Equations>
-[[nodiscard]] bool is_at_rest(const ContactState<T>& contact, const Equations& equations, const T& angle) {
+[[nodiscard]] bool is_at_rest(const ContactBody<T>& body, const Equations& equations, const Variables<T>& y,
+                              const T& angle) {
   const Kinetics<T>& k = equations.now;
-  const ContactBody<T>& body = contact.body;
   const T weight = -body.gravity.z(), nothing = no_energy(body);
   const T most = weight * greatest_lever(body) * angle + nothing;
   if (most < formula::dot(k.L, k.w)) {
     return false;
   }
-  const T energy = formula::contact_kinetic_energy(k, equations.slip_x(contact.y), equations.slip_y(contact.y));
+  const T energy = formula::contact_kinetic_energy(k, equations.slip_x(y), equations.slip_y(y));
   if (most < energy || !is_held(body, k.r)) {
     return false;
   }

@@ -3,9 +3,10 @@
 /// Contact without slip: the equations, and what is watched while they hold.
 
 #include <array>
-#include <goishi/drop/dormand_prince.hpp>
+#include <goishi/drop/runge_kutta.hpp>
 #include <goishi/drop/kinetics.hpp>
 #include <goishi/drop/resisting.hpp>
+#include <goishi/drop/stage_rates.hpp>
 #include <limits>
 
 namespace goishi::detail {
@@ -71,25 +72,23 @@ class Rolling {
     return rates(body_, now, force, T(0), T(0), origin_);
   }
 
-  /// Dormand–Prince where resistance is not stiff, else the additive pair.
-  [[nodiscard]] Trial<T, variables> step(const Variables<T>& y, const Variables<T>& rate, const T& h, bool& possible) {
-    possible = true;
+  /// Dormand–Prince where resistance is not stiff, else the additive pair. False where there is no such step.
+  [[nodiscard]] bool step(const Variables<T>& y, const Variables<T>& rate, const T& h, Trial<T, variables>& trial) {
     jams_ = false;
     if (!resistance_is_stiff(body_, y, N_, h)) {
       order_ = 5;
-      const Trial<T, variables> trial = dormand_prince(y, rate, h, *this);
-      possible = !jams_;
-      return trial;
+      dormand_prince(
+          y, rate, h, trial, [this](const Variables<T>& stage) { return inner_rates(stage); }, *this);
+      return !jams_;
     }
     order_ = 4;
-    Trial<T, variables> trial = additive_runge_kutta<T, variables>(
-        y, rate, h, stiff::turning, possible,
-        [&](Variables<T>& stage, const T& reach, Variables<T>& k) { return solve_stage(stage, reach, k); });
-    if (possible) {
-      trial.rate = (*this)(trial.y);
-      possible = !jams_;
+    if (!additive_runge_kutta<T, variables>(
+            y, rate, h, stiff::turning, trial,
+            [&](Variables<T>& stage, const T& reach, Variables<T>& k) { return solve_stage(stage, reach, k); })) {
+      return false;
     }
-    return trial;
+    trial.rate = (*this)(trial.y);
+    return !jams_;
   }
 
   /// Of an implicit stage, or of an implicit step of Euler's: from the stage's own L, by `reach`.
@@ -139,6 +138,18 @@ class Rolling {
   int evaluations = 0;
 
  private:
+  /// The rates, nothing kept.
+  [[nodiscard]] Variables<T> inner_rates(const Variables<T>& y) {
+    const StageMotion<T> at = stage_motion(body_, feature_, y);
+    const T room = formula::stage_room(at);
+    // A contact that would pull, or jam, is not among what is short.
+    if (!(T(1e-6) * at.lambda * at.root < room) || !(T(0) < formula::stage_weight(body_.mobility, at))) {
+      return (*this)(y);
+    }
+    ++evaluations;
+    return formula::stage_rolling<T>(body_.mobility, at, body_.damping, origin_);
+  }
+
   /// 1 + ẑ · W⁻¹ b, b = J τ × r: below 0, the more a contact presses, the more resistance turns the stone into it. W >= 1, so
   /// that a small b leaves much of it.
   [[nodiscard]] T press_room() const {
@@ -146,7 +157,7 @@ class Rolling {
     return formula::dot(b, b) < T(0.25) ? T(1) : T(T(1) + formula::solution(now.W, b).z());
   }
 
-  const ContactBody<T>& body_;
+  ContactBody<T> body_;
   Feature feature_;
   Vec3<T> origin_;
   int order_ = 5;

@@ -8,6 +8,7 @@
 #include <goishi/drop/settings.hpp>
 #include <goishi/motion/free_flight.hpp>
 #include <goishi/motion/state.hpp>
+#include <optional>
 
 namespace goishi::detail {
 
@@ -64,13 +65,13 @@ template <Ordered T>
           .resists = T(0) < delta || T(0) < kappa};
 }
 
-/// The scene, the settings, and the state reached.
+/// What of a drop does not change on its way, and the state that it has reached.
 template <class T>
 struct Run {
-  const Stone<T>& stone;
-  const RigidBody<T>& body;
-  const Board<T>* board;     // or none: the plane z = 0
-  DropSettings<T> settings;  // filled
+  Stone<T> stone;
+  RigidBody<T> body;
+  std::optional<Board<T>> board;  // or none: the plane z = 0
+  DropSettings<T> settings;       // filled
   ContactScales<T> scales;
   TopRates<T> rates;
   Mobility<T> mobility;
@@ -81,29 +82,66 @@ struct Run {
   T time = T(0);
   T level = T(0);                       // z of the plane that is touched: the surface, or the floor
   Vec3<T> contact_W = Vec3<T>::Zero();  // the contact point, while there is one
-  Drop<T> result = {};
+  DropStatus status = DropStatus::moving;
+  Ground ground = Ground::none;  // touched last
+  T depth = T(0);                // [m] of `start_inside`
+  bool lower_order = false;      // a contact on an edge, a side or at two places was passed by micro-impacts
+  DropCounters counters = {};
+  EventSink<T> sink = {};  // of the present call
 
   [[nodiscard]] T energy() const { return formula::energy(state, body, settings.gravity); }
 
-  /// Adds an event at the present time, after which the state is the present one.
-  Event<T>& record(EventKind kind, const State<T>& before) {
-    Event<T>& event = result.events.emplace_back();
+  /// Tells of an event at the present time, after which the state is the present one; `fill` adds what else is known.
+  template <class Fill>
+  void record(EventKind kind, const State<T>& before, Fill&& fill) {
+    ++counters.events;
+    if (!sink) {
+      return;
+    }
+    Event<T> event;
     event.kind = kind;
     event.time = time;
     event.before = before;
     event.after = state;
     event.energy = energy();
-    return event;
+    fill(event);
+    sink(event);
   }
 
-  [[nodiscard]] bool has_room() const {
-    return result.events.size() < static_cast<std::size_t>(settings.maximum_events);
+  void record(EventKind kind, const State<T>& before) {
+    record(kind, before, [](Event<T>&) {});
   }
-
-  /// Whether the budget of work allows another step, of any kind.
-  [[nodiscard]] bool has_budget() const { return result.counters.work() < settings.maximum_steps; }
-
-  [[nodiscard]] T left() const { return *settings.horizon - time; }
 };
+
+/// A drop that is to begin.
+template <Ordered T>
+[[nodiscard]] Run<T> make_run(const Stone<T>& stone, const RigidBody<T>& body, const std::optional<Board<T>>& board,
+                              const State<T>& start, const DropSettings<T>& settings, const T& time) {
+  require_settings(settings, stone);
+  require_state(start);
+  require_positive("mass", body.mass);
+  const Moments<T> moments{.axial = body.moments.z(), .transverse = body.moments.x()};
+  require_physical(moments);
+  require(!(body.moments.x() < body.moments.y()) && !(body.moments.y() < body.moments.x()), "moments",
+          body.moments.transpose(), "must be those of a body with symmetry axis Bz");
+  const T reach =
+      outer_width(stone) / T(2) < stone.height / T(2) ? T(stone.height / T(2)) : T(outer_width(stone) / T(2));
+  const T motion = scalar::sqrt(formula::dot(start.v_WB, start.v_WB)) +
+                   reach / body.moments.minCoeff() * scalar::sqrt(formula::dot(start.L_W, start.L_W));
+  const T strength = strength_of(settings.gravity, stone.width, motion);
+  const DropSettings<T> all = filled(settings, stone, strength);
+  return {.stone = stone,
+          .body = body,
+          .board = board,
+          .settings = all,
+          .scales = contact_scales(stone, strength),
+          .rates = formula::top_rates(moments),
+          .mobility = formula::mobility(body.mass, moments),
+          .contact_body =
+              contact_body(stone, Moments<T>{moments.axial / body.mass, moments.transverse / body.mass}, all, strength),
+          .reach = reach,
+          .state = start,
+          .time = time};
+}
 
 }  // namespace goishi::detail

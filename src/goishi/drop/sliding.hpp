@@ -4,9 +4,10 @@
 /// a rate of order μg/σ towards where the slip's own rate points. An additive Runge–Kutta pair takes that one variable
 /// implicitly, all others explicitly, so that micro-slip costs no more steps than slip.
 
-#include <goishi/drop/dormand_prince.hpp>
+#include <goishi/drop/runge_kutta.hpp>
 #include <goishi/drop/kinetics.hpp>
 #include <goishi/drop/rolling.hpp>
+#include <goishi/drop/stage_rates.hpp>
 
 namespace goishi::detail {
 
@@ -32,20 +33,19 @@ class Sliding {
     return rate;
   }
 
-  /// Dormand–Prince where the direction is not stiff, else the additive pair. False in `possible` where no direction
-  /// was found.
-  [[nodiscard]] Trial<T, variables> step(const Variables<T>& y, const Variables<T>& rate, const T& h, bool& possible) {
+  /// Dormand–Prince where the direction is not stiff, else the additive pair. False where there is no such step.
+  [[nodiscard]] bool step(const Variables<T>& y, const Variables<T>& rate, const T& h, Trial<T, variables>& trial) {
     jams_ = false;
     const T sigma = y[at::slip];
     resists_stiffly_ = resistance_is_stiff(body_, y, N_, h);
-    if (!resists_stiffly_ && -(h * slope_) < sigma && -(T(2) * h * rate[at::slip]) < sigma) {
+    if (!resists_stiffly_ && -(h * slope_) < T(3) * sigma && -(h * rate[at::slip]) < sigma) {
       order_ = 5;
-      const Trial<T, variables> trial = dormand_prince(y, rate, h, *this);
-      possible = !jams_;
-      return trial;
+      dormand_prince(
+          y, rate, h, trial, [this](const Variables<T>& stage) { return inner_rates(stage); }, *this);
+      return !jams_;
     }
     order_ = 4;
-    return additive_step(y, rate, h, possible);
+    return additive_step(y, rate, h, trial);
   }
 
   /// From the state that was evaluated last.
@@ -92,23 +92,63 @@ class Sliding {
   int evaluations = 0;
 
  private:
-  [[nodiscard]] Trial<T, variables> additive_step(const Variables<T>& y, const Variables<T>& rate, const T& h,
-                                                  bool& possible) {
+  [[nodiscard]] bool additive_step(const Variables<T>& y, const Variables<T>& rate, const T& h,
+                                   Trial<T, variables>& trial) {
     const Components components = stiff::direction | (resists_stiffly_ ? stiff::turning : 0U);
-    Trial<T, variables> trial = additive_runge_kutta<T, variables>(
-        y, rate, h, components, possible, [&](Variables<T>& stage, const T& reach, Variables<T>& k) {
-          return resists_stiffly_ ? solve_stage(stage, reach, k) : solve_direction(stage, reach, k);
-        });
-    if (!possible) {
-      return {};
+    if (!additive_runge_kutta<T, variables>(
+            y, rate, h, components, trial, [&](Variables<T>& stage, const T& reach, Variables<T>& k) {
+              return resists_stiffly_ ? solve_stage(stage, reach, k) : solve_inner(stage, reach, k);
+            })) {
+      return false;
     }
     const T turn = trial.rate[at::direction];
     trial.rate = (*this)(trial.y);
-    possible = !jams_;
     if (!(least_slip(T(1e-6)) < trial.y[at::slip])) {
       trial.rate[at::direction] = turn;
     }
-    return trial;
+    return !jams_;
+  }
+
+  /// The rates, nothing kept but whether they jam.
+  [[nodiscard]] Variables<T> inner_rates(const Variables<T>& y) {
+    ++evaluations;
+    const StageMotion<T> motion = stage_motion(body_, feature_, y);
+    const T phi = y[at::direction], c = scalar::cos(phi), s = scalar::sin(phi), sigma = y[at::slip];
+    const SlipRate<T> slip = formula::stage_slip(body_.mobility, motion, body_.friction, c, s);
+    see_jam(slip, formula::stage_stiffness(body_.mobility, motion));
+    Variables<T> rate = inner_rates(motion, slip, c, s, sigma);
+    rate[at::direction] = least_slip(T(1e-14)) < sigma ? T(slip.across / sigma) : T(0);
+    return rate;
+  }
+
+  [[nodiscard]] Variables<T> inner_rates(const StageMotion<T>& motion, const SlipRate<T>& slip, const T& c, const T& s,
+                                         const T& sigma) const {
+    Variables<T> rate =
+        formula::stage_sliding<T>(body_.mobility, motion, slip, body_.friction, c, s, sigma, body_.damping, origin_);
+    rate[at::slip] = formula::damped(slip.along, body_.damping, sigma);
+    return rate;
+  }
+
+  /// The direction of an implicit stage, nothing kept but whether it jams.
+  [[nodiscard]] bool solve_inner(Variables<T>& stage, const T& reach, Variables<T>& k) {
+    ++evaluations;
+    const StageMotion<T> motion = stage_motion(body_, feature_, stage);
+    const T sigma = stage[at::slip], W_zz = formula::stage_stiffness(body_.mobility, motion);
+    T c(1), s(0), turn = k[at::direction];
+    SlipRate<T> slip;
+    const auto look = [&](const T phi) {  // a copy, so that both are one call
+      c = scalar::cos(phi);
+      s = scalar::sin(phi);
+      slip = formula::stage_slip(body_.mobility, motion, body_.friction, c, s);
+    };
+    if (!solve(sigma, stage[at::direction], reach, turn, slip, look, W_zz)) {
+      return false;
+    }
+    see_jam(slip, W_zz);
+    stage[at::direction] = stage[at::direction] + reach * turn;
+    k = inner_rates(motion, slip, c, s, sigma);
+    k[at::direction] = turn;
+    return true;
   }
 
   /// A share of the speed that the stone's own scales have   [m/s].
@@ -118,7 +158,9 @@ class Sliding {
   [[nodiscard]] bool solve_direction(Variables<T>& stage, const T& reach, Variables<T>& k) {
     evaluate(stage);
     T turn = k[at::direction];
-    if (!solve(stage[at::slip], stage[at::direction], reach, turn)) {
+    if (!solve(
+            stage[at::slip], stage[at::direction], reach, turn, slip_, [this](const T& phi) { direct(phi); },
+            now.W.zz)) {
       return false;
     }
     stage[at::direction] = stage[at::direction] + reach * turn;
@@ -145,10 +187,12 @@ class Sliding {
     slip_ = formula::slip_rate(now.W, now.brake, now.need, body_.friction, c_, s_);
   }
 
-  void see_jam() { jams_ = jams_ || !(jam_margin(now.W.zz) < slip_.denominator); }
+  void see_jam(const SlipRate<T>& slip, const T& W_zz) {
+    jams_ = jams_ || !(jam_margin(W_zz) < slip.denominator);
+  }
 
   [[nodiscard]] Variables<T> all_rates(const Variables<T>& y) {
-    see_jam();
+    see_jam(slip_, now.W.zz);
     force = formula::friction_force(slip_.N, T(body_.friction * slip_.N), c_, s_);
     Variables<T> rate = rates(body_, now, force, T(y[at::slip] * c_), T(y[at::slip] * s_), origin_);
     rate[at::slip] = formula::damped(slip_.along, body_.damping, y[at::slip]);
@@ -157,16 +201,19 @@ class Sliding {
 
   /// φ̇ of an implicit stage: σ φ̇ = across(φ₀ + reach φ̇), by Newton. False where that is not stable, or does not
   /// converge.
-  [[nodiscard]] bool solve(const T& sigma, const T& phi, const T& reach, T& turn) {
+  /// `look` sets the rate of the slip in a direction.
+  template <class Look>
+  [[nodiscard]] bool solve(const T& sigma, const T& phi, const T& reach, T& turn, const SlipRate<T>& slip, Look&& look,
+                           const T& W_zz) {
     constexpr int most_steps = 12;
     for (int i = 0; i < most_steps; ++i) {
-      direct(T(phi + reach * turn));
+      look(T(phi + reach * turn));
       if (i == 0) {  // of a step that is short enough, where it begins; later tries may be anywhere
-        see_jam();
+        see_jam(slip, W_zz);
       }
-      const T residual = slip_.across - sigma * turn;
-      const T slope = sigma - reach * slip_.across_slope;
-      if (!(T(0) < slope) || !(T(0) < slip_.denominator)) {
+      const T residual = slip.across - sigma * turn;
+      const T slope = sigma - reach * slip.across_slope;
+      if (!(T(0) < slope) || !(T(0) < slip.denominator)) {
         return false;
       }
       const T change = residual / slope;
@@ -176,7 +223,7 @@ class Sliding {
         // Newton squares the error: what a change of 1e-6 leaves is 1e-12.
         if (scalar::sq(moved) < T(1e-12)) {
           if (T(1e-26) < scalar::sq(moved)) {
-            direct(T(phi + reach * turn));
+            look(T(phi + reach * turn));
           }
           return true;
         }
@@ -187,7 +234,7 @@ class Sliding {
     return false;
   }
 
-  const ContactBody<T>& body_;
+  ContactBody<T> body_;
   Feature feature_;
   Vec3<T> origin_;
   SlipRate<T> slip_ = {};

@@ -20,7 +20,7 @@ struct Scene {
   RigidBody<double> body;
   std::vector<State<double>> starts;
 
-  [[nodiscard]] Drop<double> fall(std::size_t i, const DropSettings<double>& settings = {}) const {
+  [[nodiscard]] DropResult<double> fall(std::size_t i, const DropSettings<double>& settings = {}) const {
     return goishi::drop(stone, body, starts[i], settings);
   }
 };

@@ -10,7 +10,7 @@ namespace goishi::verify::bench::drops {
 
 namespace {
 
-using Drops = std::vector<Drop<double>>;
+using Drops = std::vector<DropResult<double>>;
 
 /// Of what takes milliseconds.
 std::size_t few(const Scene& scene) {
@@ -102,7 +102,7 @@ Race five_impacts(const Effort& effort) {
   settings.maximum_impacts = 5;
   const Board<double> board = make_board<double>();
   const auto normals = [](const Drops& drops) -> std::vector<double> {
-    return {median_of(drops, [](const Drop<double>& one) { return one.counters.separations; })};
+    return {median_of(drops, [](const DropResult<double>& one) { return one.counters.separations; })};
   };
   const auto on_board = [&](const char* name, const char* label, double x) {
     return make_curve(
@@ -125,13 +125,14 @@ Race five_impacts(const Effort& effort) {
 Race woken_stone(const Effort& effort) {
   const auto scene = make_scene(effort);
   const std::size_t count = few(*scene);
-  Drops rested;
+  std::vector<Drop<double>> rested;
   for (std::size_t i = 0; i < count; ++i) {
-    rested.push_back(scene->fall(i));
+    rested.emplace_back(scene->stone, scene->body, scene->starts[i]);
+    rested.back().advance_to_rest();
   }
   const auto greatest = [](const Drops& drops) {
     int evaluations = 0, steps = 0;
-    for (const Drop<double>& one : drops) {
+    for (const DropResult<double>& one : drops) {
       evaluations = std::max(evaluations, one.counters.contact_evaluations);
       steps = std::max(steps, one.counters.steps_accepted + one.counters.steps_rejected);
     }
@@ -141,7 +142,12 @@ Race woken_stone(const Effort& effort) {
       "The greatest counts over all stones.", count, {{"evaluations in contact", ""}, {"steps", ""}},
       {make_curve(
            count, "woken", "at rest again",
-           [=](std::size_t i) { return woken<double>(rested[i], scene->stone, scene->body, nullptr, {}); }, greatest),
+           [=](std::size_t i) {
+             Drop<double> again = rested[i];
+             again.change(DropSettings<double>{});
+             return followed(again);
+           },
+           greatest),
        make_curve(
            count, "drop", "its whole drop", [=](std::size_t i) { return scene->fall(i); }, greatest)});
 }
@@ -191,13 +197,13 @@ Race until_contact(const Effort& effort) {
   const std::size_t count = few(*scene);
   std::vector<double> lasting;
   for (std::size_t i = 0; i < count; ++i) {
-    const Drop<double> whole = scene->fall(i);
+    const DropResult<double> whole = scene->fall(i);
     const auto contact = std::find_if(whole.events.begin(), whole.events.end(),
                                       [](const Event<double>& event) { return event.kind == EventKind::contact; });
     lasting.push_back(contact == whole.events.end() ? whole.time : contact->time);
   }
   const auto impacts = [](const Drops& drops) -> std::vector<double> {
-    return {median_of(drops, [](const Drop<double>& one) { return one.counters.impacts; })};
+    return {median_of(drops, [](const DropResult<double>& one) { return one.counters.impacts; })};
   };
   const auto air = [=](std::size_t i) {
     DropSettings<double> settings;

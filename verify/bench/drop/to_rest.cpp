@@ -20,7 +20,7 @@ DropSettings<double> at_tolerance(double tolerance) {
   return settings;
 }
 
-std::vector<double> judge_rest(const std::vector<Drop<double>>& ends, const std::vector<Vec3<double>>& right) {
+std::vector<double> judge_rest(const std::vector<DropResult<double>>& ends, const std::vector<Vec3<double>>& right) {
   std::vector<double> errors;
   for (std::size_t i = 0; i < ends.size(); ++i) {
     errors.push_back((ends[i].state.p_WB - right[i]).norm());
@@ -28,10 +28,10 @@ std::vector<double> judge_rest(const std::vector<Drop<double>>& ends, const std:
   std::vector<double> values = {quantile(errors, 0.5), quantile(errors, 0.9)};
   for (const auto count : {&DropCounters::contact_evaluations, &DropCounters::steps_accepted,
                            &DropCounters::steps_rejected, &DropCounters::impacts}) {
-    values.push_back(median_of(ends, [&](const Drop<double>& end) { return end.counters.*count; }));
+    values.push_back(median_of(ends, [&](const DropResult<double>& end) { return end.counters.*count; }));
   }
   values.push_back(static_cast<double>(
-      std::count_if(ends.begin(), ends.end(), [](const Drop<double>& end) { return end.status != DropStatus::rest; })));
+      std::count_if(ends.begin(), ends.end(), [](const DropResult<double>& end) { return end.status != DropStatus::rest; })));
   return values;
 }
 
@@ -62,7 +62,7 @@ Race to_rest(const Effort& effort) {
       {.who = {"drop", "Goishi", "ours", Kind::tolerance, effort.thorough ? all : few}, .enter = [=](double tolerance) {
          return make_entry(
              count, [=](std::size_t i) { return scene->fall(i, at_tolerance(tolerance)); },
-             [right](const std::vector<Drop<double>>& ends) { return judge_rest(ends, right); });
+             [right](const std::vector<DropResult<double>>& ends) { return judge_rest(ends, right); });
        }}};
   return race;
 }
@@ -76,9 +76,9 @@ Race elastic(const Effort& effort) {
   settings.horizon = std::numeric_limits<double>::infinity();
   settings.maximum_impacts = elastic_bounces;
   settings.maximum_events = 2 * elastic_bounces;
-  const auto greatest_gain = [](const std::vector<Drop<double>>& drops) -> std::vector<double> {
+  const auto greatest_gain = [](const std::vector<DropResult<double>>& drops) -> std::vector<double> {
     double greatest = 0;
-    for (const Drop<double>& one : drops) {
+    for (const DropResult<double>& one : drops) {
       for (const Event<double>& event : one.events) {
         greatest = std::max(greatest, std::fabs(event.energy / one.events.front().energy - 1));
       }

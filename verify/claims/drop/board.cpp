@@ -26,8 +26,8 @@ Measurement measure_middle(Context& context) {
     const State<double> start = draw_fall(context, pebble.body);
     DropSettings<double> settings;
     settings.tolerance = 1e-7;
-    const Drop<double> plane = goishi::drop(pebble.stone, pebble.body, start, settings);
-    const Drop<double> on_board = goishi::drop(pebble.stone, pebble.body, start, board, settings);
+    const DropResult<double> plane = goishi::drop(pebble.stone, pebble.body, start, settings);
+    const DropResult<double> on_board = goishi::drop(pebble.stone, pebble.body, start, board, settings);
     const bool same = is_same(plane.state, on_board.state) && plane.time == on_board.time &&
                       plane.status == on_board.status && plane.events.size() == on_board.events.size();
     worst.see(same ? 0.0 : 1.0, [&] {
@@ -109,7 +109,7 @@ Measurement measure_edge(Context& context) {
       DropSettings<double> settings = lossless(no_slip, 1e-9);
       settings.edge_speed = scale * 4e-3 / std::pow(2.0, static_cast<double>(k));
       settings.horizon = as_double(t);
-      const Drop<double> drop = goishi::drop(pebble.stone, pebble.body, tipping.start, board, settings);
+      const DropResult<double> drop = goishi::drop(pebble.stone, pebble.body, tipping.start, board, settings);
       const Vec3<double> u = drop.state.q_WB * Vec3<double>::UnitZ();
       const Long angle = std::atan2(static_cast<Long>(context.produced(u.x())), static_cast<Long>(u.z()));
       errors[k] = as_double(std::fabs(angle - turned));

@@ -43,7 +43,7 @@ Measurement measure_flat(Context& context) {
     start.L_W = {0.0, 0.0, spins ? context.uniform(-1e-5, 1e-5) : 0.0};
     start.v_WB = {0.0, 0.0, i % 5 == 0 ? context.uniform(-2.0, 2.0) : 0.0};
     start.p_WB = {0.0, 0.0, context.uniform(0.05, 2.0)};
-    const Drop<double> dropped = goishi::drop(stone, body, start, settings);
+    const DropResult<double> dropped = goishi::drop(stone, body, start, settings);
 
     const Long g = static_cast<Long>(g_earth), v = start.v_WB.z();
     const Long gap = static_cast<Long>(start.p_WB.z()) - static_cast<Long>(h) / 2;
@@ -99,7 +99,7 @@ Measurement measure_elastic(Context& context) {
     start.v_WB = {context.uniform(-1e-6, 1e-6), 0.0, 0.0};  // millimetres in 1000 s
     const Vec3<double> w_B(context.uniform(-30.0, 30.0), context.uniform(-30.0, 30.0), context.uniform(-100.0, 100.0));
     start.L_W = start.q_WB * Vec3<double>(pebble.body.moments.cwiseProduct(w_B));
-    const Drop<double> dropped = goishi::drop(pebble.stone, pebble.body, start, settings);
+    const DropResult<double> dropped = goishi::drop(pebble.stone, pebble.body, start, settings);
     const auto see = [&](Long error, const char* name) {
       checks[name].see(as_double(std::fabs(error)), [&] { return fmt::format("stone {}", i); });
     };
@@ -140,7 +140,7 @@ Tangential tangential_restitution(const Context& context, double angle) {
   start.p_WB = {0.0, 0.0, 0.0026};
   start.v_WB = {3.9 * std::sin(angle), 0.0, -3.9 * std::cos(angle)};
   start.L_W = Vec3<double>::Zero();
-  const Drop<double> dropped = goishi::drop(ball, body, start, settings);
+  const DropResult<double> dropped = goishi::drop(ball, body, start, settings);
   const Event<double>* const impact = first_event(dropped, EventKind::impact);
   if (impact == nullptr) {
     return {NAN, NAN};
@@ -216,8 +216,8 @@ std::vector<Claim> drop_bounces_claims() {
                    {"drop/flight_phase.hpp", "v / (g * (T(1) - restitution))", "v / (g * (T(1) + restitution))"},
                    {"impact/impulses.hpp", "(T(1) + restitution - kappa) * plastic",
                     "(T(1000001) / T(1000000) + restitution - kappa) * plastic"},
-                   {"drop/flight_phase.hpp", "run_.state.v_WB.z() < *run_.settings.closing_speed",
-                    "run_.state.v_WB.z() < T(1e-9) * *run_.settings.closing_speed"}},
+                   {"drop/flight_phase.hpp", "run.state.v_WB.z() < *run.settings.closing_speed",
+                    "run.state.v_WB.z() < T(1e-9) * *run.settings.closing_speed"}},
        .measure = measure_flat},
       {.id = "DROP-2",
        .statement = "With e = 1 and no friction a stone let go at 5 cm, turning anyhow, keeps its energy over 10 000 "
@@ -240,9 +240,9 @@ std::vector<Claim> drop_bounces_claims() {
                    {"drop/next_impact.hpp", "momentum * rates.precession;",
                     "T(1000001) / T(1000000) * momentum * rates.precession;"},
                    {"drop/flight_phase.hpp", "(more - contact.gap)", "(T(1000) * more - contact.gap)"},
-                   {"drop/flight_phase.hpp", "formula::free_flight(run_.state, run_.rates, run_.settings.gravity, t)",
-                    "formula::free_flight(run_.state, run_.rates, Vec3<T>(T(1000001) / T(1000000) * "
-                    "run_.settings.gravity), t)"}},
+                   {"drop/flight_phase.hpp", "formula::free_flight(run.state, run.rates, run.settings.gravity, t)",
+                    "formula::free_flight(run.state, run.rates, Vec3<T>(T(1000001) / T(1000000) * "
+                    "run.settings.gravity), t)"}},
        .measure = measure_elastic},
       {.id = "DROP-15",
        .statement =

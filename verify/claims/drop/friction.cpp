@@ -37,7 +37,7 @@ Measurement measure_jellett(Context& context) {
       });
     };
     for (int k = 1; k <= 10; ++k) {
-      Drop<double> dropped = drop(pebble, start, settings, k / 10.0L);
+      DropResult<double> dropped = drop(pebble, start, settings, k / 10.0L);
       dropped.state.L_W = context.produced(dropped.state.L_W);
       const Witnessed after = witnessed(pebble, dropped.state);
       see(as_double(std::fabs(after.jellett / before.jellett - 1)), "Jellett's integral");
@@ -80,7 +80,7 @@ Measurement measure_patch(Context& context) {
     const Long rate = 3.5L * mu * static_cast<Long>(g_earth);
     const Long all = (F(1) - F(0.05L)) / rate;
     settings.horizon = as_double(all) * context.uniform(0.1, 1.0);
-    const Drop<double> dropped = goishi::drop(ball, body, start, settings);
+    const DropResult<double> dropped = goishi::drop(ball, body, start, settings);
     const Long3 w = dropped.state.L_W.cast<Long>() / static_cast<Long>(body.moments.z());
     const Long3 slip = context.produced(dropped.state.v_WB).cast<Long>() + w.cross(Long3(0, 0, -0.011L));
     const auto describe_case = [&] { return fmt::format("μ = {:a}, {:a} rad/s, patch {:a} m", mu, spin, patch); };
@@ -92,10 +92,10 @@ Measurement measure_patch(Context& context) {
   const Pebble pebble = size_33();
   const State<double> start = spun(pebble, 0.02, 60.0);
   DropSettings<double> patch = lossless(0.3, 1e-9);
-  const Drop<double> dry = drop(pebble, start, patch, 3);
+  const DropResult<double> dry = drop(pebble, start, patch, 3);
   patch.friction_model = FrictionModel::coulomb_contensou;
   patch.patch_radius = 0.0;
-  const Drop<double> point = drop(pebble, start, patch, 3);
+  const DropResult<double> point = drop(pebble, start, patch, 3);
   const bool same = dry.state.p_WB == point.state.p_WB && dry.state.L_W == point.state.L_W &&
                     dry.state.q_WB.coeffs() == point.state.q_WB.coeffs() && dry.events.size() == point.events.size();
   checks["faults"].see(same ? 0.0 : 1.0, [] { return "without a patch it is not dry friction"; });

@@ -58,7 +58,7 @@ Measurement measure_contact(Context& context) {
     Subject subject = draw_subject(context, i);
     subject.settings.horizon = context.uniform(0.02, 0.1);
     const State<double> start = i % 10 == 6 ? draw_start_of_slip(context, subject) : draw_state(context, subject, i);
-    const Drop<double> drop = goishi::drop(subject.specimen.stone, subject.body, start, subject.settings);
+    const DropResult<double> drop = goishi::drop(subject.specimen.stone, subject.body, start, subject.settings);
     see_status(subject, drop, checks);
     see_phases(context, subject, drop, checks, located);
   }

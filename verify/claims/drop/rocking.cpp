@@ -39,7 +39,7 @@ State<double> let_go(const Pebble& pebble, double tilt) {
 /// it is so.
 Long dropped_period(const Pebble& pebble, Footing footing, double tilt, Long expected, double tolerance) {
   const double friction = footing == Footing::rolling ? no_slip : 0.0;
-  const Drop<double> dropped = drop(pebble, let_go(pebble, tilt), lossless(friction, tolerance), 9 * expected / 4);
+  const DropResult<double> dropped = drop(pebble, let_go(pebble, tilt), lossless(friction, tolerance), 9 * expected / 4);
   const Tilt then = tilt_of(pebble, dropped.state);
   return (static_cast<Long>(dropped.time) - then.angle / then.rate) * 4 / 9;
 }
@@ -131,7 +131,7 @@ void see_decay(Context& context, Checks& checks, const Pebble& pebble, double ti
       swings->points.emplace_back(as_double(turn.time), as_double(std::fabs(found.angle)) / degree);
     }
   }
-  const Drop<double> dropped = drop(pebble, start, settings, 100);
+  const DropResult<double> dropped = drop(pebble, start, settings, 100);
   see(dropped.status == DropStatus::rest ? 0.0 : 1.0, "faults", "rests: ");
   const Long rest = tilt_of(pebble, dropped.state).angle;
   see(as_double(std::fabs(context.produced(rest) - turns.back().tilt)), "tilt of rest");
@@ -190,7 +190,7 @@ Measurement measure_damping(Context& context) {
       const double spin = context.uniform(10.0, 60.0), speed = footing == Footing::rolling ? 0.0 : 0.3;
       const State<double> flat = set_on_cap(pebble, leaning(0.0), {0.0, 0.0, spin}, {speed, 0.0, 0.0});
       see(drop(pebble, flat, settings, 20 / c).status == DropStatus::moving ? 0 : 1, "faults");
-      const Drop<double> late = drop(pebble, flat, settings, 2 / c);
+      const DropResult<double> late = drop(pebble, flat, settings, 2 / c);
       const Long left = std::exp(-static_cast<Long>(c) * static_cast<Long>(late.time));
       see(context.produced(witnessed(pebble, late.state).w.z()) / spin - left, "spin");
       const Vec3<double> heading = late.state.q_WB * Vec3<double>(1.0, 0.0, 0.0);

@@ -25,7 +25,7 @@ Measurement measure_rolling(Context& context) {
     const State<double> start = set_rolling(pebble, leaning(context.uniform(0.05, 0.35)), w);
     const Witnessed before = witnessed(pebble, start);
     for (const double time : {0.1, 0.5, 1.0}) {
-      Drop<double> dropped = drop(pebble, start, lossless(no_slip, 1e-12), time);
+      DropResult<double> dropped = drop(pebble, start, lossless(no_slip, 1e-12), time);
       dropped.state.L_W = context.produced(dropped.state.L_W);
       const Witnessed after = witnessed(pebble, dropped.state);
       const auto see = [&](Long error, const char* name) {
@@ -69,7 +69,7 @@ Measurement measure_ball(Context& context) {
     const Long3 v = start.v_WB.cast<Long>(), slip = v + w.cast<Long>().cross(Long3(0, 0, -static_cast<Long>(radius)));
     const Long speed = slip.norm(), stops = 2 * speed / (7 * static_cast<Long>(mu) * static_cast<Long>(g));
     settings.horizon = as_double(1.05L * stops);
-    const Drop<double> dropped = goishi::drop(ball, body, start, settings);
+    const DropResult<double> dropped = goishi::drop(ball, body, start, settings);
     const auto see = [&](Long error, const char* name) {
       checks[name].see(as_double(std::fabs(error)),
                        [&] { return fmt::format("μ = {:a}, slip {:a} m/s", mu, as_double(speed)); });
@@ -117,7 +117,7 @@ struct Disc {
     const Vec3<double> u = q * Vec3<double>(0.0, 0.0, 1.0);
     return radius * Vec3<double>(u.z() * u - Vec3<double>(0.0, 0.0, 1.0)).normalized();
   }
-  [[nodiscard]] Drop<double> rolled(const Quat<double>& q, const Vec3<double>& p, const Vec3<double>& w,
+  [[nodiscard]] DropResult<double> rolled(const Quat<double>& q, const Vec3<double>& p, const Vec3<double>& w,
                                     double time) const {
     DropSettings<double> settings = lossless(no_slip, tight);
     settings.gravity = {0.0, 0.0, -9.81};
@@ -138,7 +138,7 @@ Measurement measure_coin(Context& context) {
   const double lean = degree;
   const Quat<double> q = turn_between(Vec3<double>::UnitZ(), {std::cos(lean), 0.0, -std::sin(lean)});
   const Vec3<double> p(0.01 * std::sin(lean), 0.0, 0.01 * std::cos(lean));
-  const Drop<double> dropped = coin.rolled(q, p, {0.0, 0.0, 10.0 * std::numbers::pi}, 0.5);
+  const DropResult<double> dropped = coin.rolled(q, p, {0.0, 0.0, 10.0 * std::numbers::pi}, 0.5);
   const Vec3<double> at = context.produced(dropped.state.p_WB) + coin.arm(dropped.state.q_WB);
   const double height = context.produced(dropped.state.p_WB.z());
   worst.see(std::fabs(at.x() - 0.00200494702076199) / 0.01, [] { return "x"; });
@@ -160,7 +160,7 @@ Measurement measure_euler_disc(Context& context) {
     const Quat<double> q = leaning(lean);
     const Vec3<double> u = q * Vec3<double>(0.0, 0.0, 1.0), up(0.0, 0.0, 1.0);
     const Vec3<double> p(0.0, 0.0, disc.radius * std::sin(lean));
-    const Drop<double> dropped = disc.rolled(q, p, Vec3<double>(rate * (up - std::cos(lean) * u)), time);
+    const DropResult<double> dropped = disc.rolled(q, p, Vec3<double>(rate * (up - std::cos(lean) * u)), time);
     const Vec3<double> axis = dropped.state.q_WB * up;
     const auto see = [&](double error, const char* name) {
       checks[name].see(std::fabs(error), [&] { return fmt::format("{:g} rad", lean); });

@@ -101,7 +101,7 @@ Measurement measure_units(Context& context) {
       return std::ldexp(1.0, std::uniform_int_distribution<int>(-most, most)(context.random()));
     };
     const Units unit{.length = power(30), .time = power(20), .mass = power(60)};
-    const Drop<double> one = stress::run(scene), other = stress::run(in_units(scene, unit));
+    const DropResult<double> one = stress::run(scene), other = stress::run(in_units(scene, unit));
     bool same = one.status == other.status && one.events.size() == other.events.size() &&
                 context.produced(other.time) == unit.time * one.time;
     for (std::size_t k = 0; same && k < one.events.size(); ++k) {
@@ -126,7 +126,7 @@ Measurement measure_units(Context& context) {
 /// A drop of size 33, λ times as large: lengths × λ, velocities and times × √λ, in the same gravity.
 struct Fall {
   Scene scene;
-  Drop<double> drop;
+  DropResult<double> drop;
 };
 
 Fall fall(const Scene& scene, double size) {
@@ -136,7 +136,7 @@ Fall fall(const Scene& scene, double size) {
 }
 
 /// Events of the same kinds, in the same order.
-bool has_the_events_of(const Drop<double>& one, const Drop<double>& other) {
+bool has_the_events_of(const DropResult<double>& one, const DropResult<double>& other) {
   return std::equal(one.events.begin(), one.events.end(), other.events.begin(), other.events.end(),
                     [](const Event<double>& a, const Event<double>& b) { return a.kind == b.kind; });
 }
@@ -147,7 +147,7 @@ struct Distance {
 };
 
 /// What a start elsewhere by some 1e-12 changes of the end, at least 1e-11: bounces magnify it, and round-off no less.
-Distance changed_by_nudges(Context& context, const Scene& scene, const Drop<double>& usual) {
+Distance changed_by_nudges(Context& context, const Scene& scene, const DropResult<double>& usual) {
   Distance most{1e-11, 1e-11};
   for (int i = 0; i < 8; ++i) {
     Scene nudged = scene;
@@ -156,7 +156,7 @@ Distance changed_by_nudges(Context& context, const Scene& scene, const Drop<doub
     nudged.start.L_W = nudge() * scene.start.L_W;
     nudged.start.q_WB.coeffs().x() *= nudge();
     nudged.start.q_WB.normalize();
-    const Drop<double> then = stress::run(nudged);
+    const DropResult<double> then = stress::run(nudged);
     most.place = std::max(most.place, (then.state.p_WB - usual.state.p_WB).norm() / scene.stone.width);
     most.time = std::max(most.time, std::fabs(then.time / usual.time - 1.0));
   }
@@ -227,7 +227,7 @@ std::vector<Claim> drop_scale_claims() {
        .family = OracleFamily::relation,
        .oracle = "the same drop in other units",
        .checks = {{.unit = "drops that differ", .bound = 0.0, .reason = "powers of two round nothing", .counts = true}},
-       .mutants = {{"drop/integrator.hpp", "T(1e-2) / contact.scales.frequency", "T(1e-2) / T(30)"},
+       .mutants = {{"drop/integrator.hpp", "T(1e-2) / run.scales.frequency", "T(1e-2) / T(30)"},
                    {"drop/statics.hpp", "round_off_share<T>() * body.stone.width", "round_off_share<T>() * T(0.022)"},
                    {"drop/settings.hpp", "fill(all.contact_speed, T(2e-6) * speed)",
                     "fill(all.contact_speed, T(1e-6))"}},
@@ -252,7 +252,7 @@ std::vector<Claim> drop_scale_claims() {
                    .resolution = 1.0,
                    .counts = true},
                   none("status", "faults")},
-       .mutants = {{"drop/edge_hops.hpp", "T(0.15) / run_.scales.frequency", "T(5e-3)"},
+       .mutants = {{"drop/edge_hops.hpp", "T(0.15) / run.scales.frequency", "T(5e-3)"},
                    {"drop/next_impact.hpp", "const T unit = T(1) / run.scales.frequency;", "const T unit = T(0.03);"}},
        .measure = measure_sizes},
   };

@@ -60,7 +60,7 @@ struct Settled {
 
 Settled settle(const Context& context, const Pebble& pebble, double spin, double tolerance, double seconds) {
   const State<double> start = spun(pebble, 1e-3, spin);
-  const Drop<double> dropped = drop(pebble, start, slip_proportional(3.0, tolerance), seconds);
+  const DropResult<double> dropped = drop(pebble, start, slip_proportional(3.0, tolerance), seconds);
   const Long z = settling_height(pebble.cap(), witnessed(pebble, start).jellett);
   return {as_double(std::acos(z)), context.produced(as_double(witnessed(pebble, dropped.state).tilt))};
 }
@@ -132,7 +132,7 @@ Measurement measure_no_rise(Context& context) {
     }
     // Dry, and leaning less: slip ends soon, and rolling keeps what is left.
     const State<double> upright = spun(pebble, tilt / 20.0, spin);
-    const Drop<double> dry = drop(pebble, upright, lossless(0.3, 1e-12), 1);
+    const DropResult<double> dry = drop(pebble, upright, lossless(0.3, 1e-12), 1);
     const Event<double>* const stick = first_event(dry, EventKind::stick);
     const bool rolls_on = stick != nullptr && first_event(dry, EventKind::slip) == nullptr;
     see_that(rolls_on, "slip does not turn into rolling");

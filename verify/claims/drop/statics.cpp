@@ -106,7 +106,7 @@ Measurement measure_statics(Context& context) {
       ++near;  // moves too slowly to tell
       continue;
     }
-    const Drop<double> drop = goishi::drop(laid.pebble.stone, laid.pebble.body, laid.start, laid.settings);
+    const DropResult<double> drop = goishi::drop(laid.pebble.stone, laid.pebble.body, laid.start, laid.settings);
     const double way = (context.produced(drop.state.p_WB) - laid.start.p_WB).norm() / laid.pebble.stone.width +
                        drop.state.q_WB.angularDistance(laid.start.q_WB);
     if (share < 1.0) {

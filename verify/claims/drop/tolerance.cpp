@@ -44,7 +44,7 @@ double difference(const Start& start, const State<T>& state, const State<double>
 }
 
 template <class T>
-Drop<T> dropped_in(const Start& start, double tolerance) {
+DropResult<T> dropped_in(const Start& start, double tolerance) {
   const auto as = [](double x) { return static_cast<T>(x); };
   DropSettings<T> settings;
   settings.friction = as(start.settings.friction);
@@ -83,7 +83,7 @@ Measurement measure_tolerance(Context& context) {
     const Start start = draw_start(context, i);
     const State<double> right = dropped_in<double>(start, 1e-12).state;
     for (std::size_t k = 0; k < tolerances.size(); ++k) {
-      const Drop<double> drop = dropped_in<double>(start, tolerances[k]);
+      const DropResult<double> drop = dropped_in<double>(start, tolerances[k]);
       State<double> found = drop.state;
       found.p_WB = context.produced(found.p_WB);
       errors[k].push_back(difference(start, found, right));
@@ -108,7 +108,7 @@ Measurement measure_float(Context& context) {
   for (int i = 0; i < context.samples(24, 200); ++i) {
     const Start start = draw_start(context, i);
     const State<double> right = dropped_in<double>(start, 1e-9).state;
-    const Drop<float> drop = dropped_in<float>(start, 2e-4);
+    const DropResult<float> drop = dropped_in<float>(start, 2e-4);
     State<float> found = drop.state;
     found.p_WB = context.produced(found.p_WB);
     checks["contact phase"].see(difference(start, found, right), [&] { return fmt::format("start {}", i); });
@@ -117,8 +117,8 @@ Measurement measure_float(Context& context) {
     fall.state = draw_fall(context, start.pebble.body);
     fall.settings.horizon = 1.0;
     fall.settings.maximum_impacts = 1;
-    const Drop<double> met = dropped_in<double>(fall, 1e-9);
-    const Drop<float> met_in_float = dropped_in<float>(fall, 2e-4);
+    const DropResult<double> met = dropped_in<double>(fall, 1e-9);
+    const DropResult<float> met_in_float = dropped_in<float>(fall, 2e-4);
     State<float> after = met_in_float.state;
     after.p_WB = context.produced(after.p_WB);
     const double turned = met.state.L_W.norm() / start.pebble.body.moments.minCoeff() * met.time;

@@ -150,7 +150,7 @@ std::vector<Question> between_impacts(Context& context, const Pebble& pebble, in
     const LetGo start = draw_start(context, pebble);
     DropSettings<double> settings = with_published_law(1.0);
     settings.maximum_impacts = 2;
-    const Drop<double> two = goishi::drop(pebble.stone, pebble.body, start.state, settings);
+    const DropResult<double> two = goishi::drop(pebble.stone, pebble.body, start.state, settings);
     if (two.counters.impacts == 2 && two.events[2].time - two.events[1].time > 0.02) {
       const double time = (two.events[1].time + two.events[2].time) / 2.0;
       questions.push_back({start, time, drop(pebble, start.state, settings, static_cast<Long>(time)).state});
@@ -228,7 +228,7 @@ Left left_after(Context& context, const Pebble& pebble, const PublishedStone& st
     DropSettings<double> settings;
     settings.maximum_steps = most_steps;
     settings.maximum_events = most_events;
-    const Drop<double> rested = goishi::drop(pebble.stone, pebble.body, one.start.state, settings);
+    const DropResult<double> rested = goishi::drop(pebble.stone, pebble.body, one.start.state, settings);
     if (rested.status != DropStatus::rest || rested.time > time) {
       continue;
     }

@@ -1,0 +1,306 @@
+/// DROP: a drop as a value. How its time is cut does not matter, and its state can be told at any time.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <goishi/drop/stage_rates.hpp>
+
+#include "verify/claims/checks.hpp"
+#include "verify/claims/claims.hpp"
+#include "verify/samples/domain.hpp"
+#include "verify/samples/drop.hpp"
+#include "verify/samples/touching.hpp"
+
+namespace goishi::verify {
+
+namespace {
+
+/// A drop that is to begin, on the plane, on the board or at its edge.
+Drop<double> draw_drop(Context& context, int i) {
+  Subject subject = draw_subject(context, i);
+  subject.settings.tolerance = std::pow(10.0, context.uniform(-9.0, -4.0));
+  subject.settings.restitution = i % 7 == 0 ? 0.0 : context.uniform(0.1, 0.8);
+  subject.settings.maximum_steps = 200000;
+  State<double> start = draw_fall(context, subject.body);
+  const Stone<double>& stone = subject.specimen.stone;
+  if (i % 3 == 0) {
+    return {stone, subject.body, start, subject.settings};
+  }
+  const Board<double> board = make_board<double>();
+  start.p_WB.x() = i % 3 == 1 ? 0.0 : board.half_width - context.uniform(-0.5, 0.5) * stone.width;
+  return {stone, subject.body, start, board, subject.settings};
+}
+
+// --- DROP-32
+
+/// What is told of the events, in one number.
+class Digest {
+ public:
+  void operator()(const Event<double>& event) {
+    add(static_cast<double>(event.kind));
+    add(event.time);
+    add(event.after);
+  }
+  void add(const State<double>& state) {
+    for (const Vec3<double>* v : {&state.p_WB, &state.v_WB, &state.L_W}) {
+      add(v->x());
+      add(v->y());
+      add(v->z());
+    }
+    add(state.q_WB.w());
+    add(state.q_WB.x());
+    add(state.q_WB.y());
+    add(state.q_WB.z());
+  }
+  void add(double x) {  // FNV-1a
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    for (int byte = 0; byte < 8; ++byte) {
+      hash_ = (hash_ ^ (bits >> (8 * byte) & 0xffU)) * 0x100000001b3U;
+    }
+  }
+  [[nodiscard]] bool operator==(const Digest&) const = default;
+
+ private:
+  std::uint64_t hash_ = 0xcbf29ce484222325U;
+};
+
+Measurement measure_cuts(Context& context) {
+  Checks checks;
+  int pieces_in_all = 0, copies = 0;
+  for (int i = 0; i < context.samples(20, 120); ++i) {
+    const Drop<double> fresh = draw_drop(context, i);
+    const double end = 0.6;
+    Drop<double> whole = fresh;
+    Digest told;
+    whole.advance_to(end, told);
+    for (const int most : {1, 30, 1000}) {
+      Drop<double> drop = fresh;
+      Digest digest;
+      if (most == 30) {
+        drop.keep_motion(50);
+      }
+      const int pieces = 1 + static_cast<int>(context.uniform(0.0, most));
+      std::vector<double> times = {end};
+      for (int k = 1; k < pieces; ++k) {
+        times.push_back(context.uniform(0.0, end));
+      }
+      std::ranges::sort(times);
+      for (const double time : times) {
+        while (drop.advance_to(time, digest, most == 1000 ? 2 : 100000) == DropStatus::too_many_steps) {
+        }
+        if (context.uniform(0.0, 1.0) < 0.05) {
+          const Drop<double> stored = drop;  // and the original goes elsewhere
+          drop.apply_impulse({0.0, 0.0, 0.0}, {1e-3, 1e-3, 1e-3});
+          drop.advance(0.01);
+          drop = stored;
+          ++copies;
+        }
+      }
+      pieces_in_all += pieces;
+      const State<double> there = drop.state();
+      const bool same = context.produced(there.p_WB) == whole.state().p_WB &&
+                        there.q_WB.coeffs() == whole.state().q_WB.coeffs() && there.v_WB == whole.state().v_WB &&
+                        there.L_W == whole.state().L_W && digest == told && drop.status() == whole.status();
+      checks["cuts"].see(same ? 0.0 : 1.0, [&] { return fmt::format("drop {} in {} pieces", i, pieces); });
+    }
+  }
+  Measurement result = checks.measurement();
+  result.figures = {{"pieces", fmt::format("{}", pieces_in_all)}, {"copies that were gone back to", fmt::format("{}", copies)}};
+  return result;
+}
+
+// --- DROP-33
+
+/// Axis and place, velocity and angular momentum over the stone's own, energy over that of its speed.
+struct Difference {
+  double place, momenta, energy;
+};
+
+Difference difference(const Drop<double>& drop, const State<double>& a, const State<double>& b) {
+  const double w = drop.stone().width, m = drop.body().mass, speed = std::sqrt(g_earth * w / 2.0);
+  const Vec3<double> z = Vec3<double>::UnitZ();
+  const auto energy = [&](const State<double>& state) {
+    return formula::energy(state, drop.body(), drop.settings().gravity);
+  };
+  return {std::max((a.p_WB - b.p_WB).norm() / (w / 2.0), (a.q_WB * z - b.q_WB * z).norm()),
+          std::max((a.v_WB - b.v_WB).norm() / speed, (a.L_W - b.L_W).norm() / (m * speed * w / 4.0)),
+          std::fabs(energy(a) - energy(b)) / (m * speed * speed)};
+}
+
+Measurement measure_any_time(Context& context) {
+  Checks checks;
+  int asked = 0;
+  for (int i = 0; i < context.samples(15, 90); ++i) {
+    const Drop<double> fresh = draw_drop(context, 3 * i);
+    const double tolerance = fresh.settings().tolerance;
+    Drop<double> kept = fresh;
+    kept.keep_motion();
+    std::vector<Event<double>> events;
+    kept.advance_to(0.8, events);
+    if (is_under_way(kept.status()) && kept.status() != DropStatus::moving) {
+      continue;
+    }
+    const auto told = [&](double time) { return [&, time] { return fmt::format("drop {} at {:a} s", i, time); }; };
+    const auto see = [&](const Difference& off, const char* place, const char* momenta, const char* energy,
+                         double time) {
+      checks[place].see(off.place / tolerance, told(time));
+      checks[momenta].see(off.momenta / tolerance, told(time));
+      checks[energy].see(off.energy / tolerance, told(time));
+    };
+    const auto seen_at = [&](double time, Side side = Side::after) {
+      State<double> state = kept.state_at(time, side);
+      state.p_WB = context.produced(state.p_WB);
+      state.L_W = context.produced(state.L_W);
+      return state;
+    };
+    // From where it is, anew at 1e-12, for a part of what a step is long.
+    Drop<double> now = fresh;
+    DropSettings<double> sharp = fresh.settings();
+    sharp.tolerance = tight;
+    std::vector<double> times(static_cast<std::size_t>(context.samples(12, 40)));
+    std::ranges::generate(times, [&] { return context.uniform(0.0, 0.79); });
+    std::ranges::sort(times);
+    for (const double time : times) {
+      now.advance_to(time);
+      Drop<double> other = now;
+      other.change(sharp);
+      const double later = time + context.uniform(0.0, 2e-3);
+      const int impacts = other.counters().impacts;
+      other.advance_to(later);
+      if (other.counters().impacts == impacts) {  // an impact magnifies
+        see(difference(kept, seen_at(later), other.state()), "place", "momenta", "energy", later);
+        ++asked;
+      }
+      // The derivative of the place is the velocity.
+      const double h = 1e-5;
+      const bool smooth = time > h && std::ranges::none_of(events, [&](const Event<double>& event) {
+                            return std::fabs(event.time - time) < 2.0 * h;
+                          });
+      if (smooth) {
+        const Vec3<double> slope = (seen_at(time + h).p_WB - seen_at(time - h).p_WB) / (2.0 * h);
+        const Vec3<double> bend = (seen_at(time + h).v_WB - 2.0 * seen_at(time).v_WB + seen_at(time - h).v_WB) / 6.0;
+        const double speed = std::sqrt(g_earth * kept.stone().width / 2.0);
+        checks["derivative"].see((slope - bend - seen_at(time).v_WB).norm() / speed,
+                                 1e-10 + 30.0 * tolerance, told(time));
+      }
+    }
+    for (const Event<double>& event : events) {
+      const double size = 1e-15 * (1.0 + event.after.p_WB.norm() / kept.stone().width);
+      const Difference before = difference(kept, seen_at(event.time, Side::before), event.before);
+      const Difference after = difference(kept, seen_at(event.time), event.after);
+      // Several at one time: before the first, after the last.
+      const auto at_once = std::ranges::count(events, event.time, &Event<double>::time);
+      checks["events"].see(at_once > 1 ? 0.0 : std::max(before.place, after.place), size, told(event.time));
+    }
+  }
+  Measurement result = checks.measurement();
+  result.figures = {{"times that were asked for", fmt::format("{}", asked)}};
+  return result;
+}
+
+// --- DROP-34
+
+Measurement measure_stages(Context& context) {
+  namespace at = detail::at;
+  Checks checks;
+  for (int i = 0; i < context.samples(2000, 20000); ++i) {
+    const Subject subject = draw_subject(context, i % 5 == 0 || i % 5 == 1 ? i : 0);
+    const Stone<double>& stone = subject.specimen.stone;
+    DropSettings<double> settings = subject.settings;
+    settings.damping = i % 3 == 0 ? context.uniform(0.0, 5.0) : 0.0;
+    const double m = subject.body.mass;
+    const Moments<double> per_mass{subject.body.moments.z() / m, subject.body.moments.x() / m};
+    const detail::ContactBody<double> body = detail::contact_body<double>(stone, per_mass, settings, g_earth);
+    const Vec3<double> u = draw_attitude(context.random()) * Vec3<double>::UnitZ();
+    const Feature feature = i % 3 == 0 ? Feature::rim : u.z() > 0.0 ? Feature::lower_cap : Feature::upper_cap;
+    const Vec3<double> L = per_mass.transverse * 30.0 * (draw_attitude(context.random()) * Vec3<double>::UnitX());
+    const double sigma = context.uniform(0.0, 0.3), phi = context.uniform(-3.0, 3.0), c = std::cos(phi), s = std::sin(phi);
+    detail::Variables<double> y = {u.x(), u.y(), u.z(), 0.1, 0.2, 0.3, 0.0, L.x(), L.y(), L.z(), sigma, phi};
+    const Vec3<double> origin = (u + Vec3<double>(0.1, 0.2, -0.1)).normalized();
+    const detail::Kinetics<double> now = detail::kinetics(body, feature, y);
+    const StageMotion<double> stage = detail::stage_motion(body, feature, y);
+    const auto see = [&](const detail::Variables<double>& lean, const detail::Variables<double>& whole,
+                         const char* name) {
+      for (const auto& [from, count] : {std::pair{at::u, 3U}, {at::x, 2U}, {at::spin, 1U}, {at::loss, 1U}, {at::L, 3U}}) {
+        double off = 0.0, size = 0.0;
+        for (std::size_t k = from; k < from + count; ++k) {
+          off += std::pow(context.produced(lean[k]) - whole[k], 2);
+          size += std::pow(whole[k], 2);
+        }
+        // Of the angular momentum's rate, and of what is lost, what their parts are is much more than their sum.
+        const double weight = 9.8 * (from == at::L ? stone.width : from == at::loss ? 0.1 + stone.width : 1.0);
+        checks[name].see(std::sqrt(off) / (std::sqrt(size) + weight),
+                         [&] { return fmt::format("axis ({:a}, {:a}, {:a}), variable {}", u.x(), u.y(), u.z(), from); });
+      }
+    };
+    if (0.0 < formula::stage_room(stage) && 0.0 < formula::stage_weight(body.mobility, stage)) {
+      const Vec3<double> force = formula::rolling_force(now.W, now.brake, now.need);
+      see(formula::stage_rolling(body.mobility, stage, body.damping, origin),
+          detail::rates(body, now, force, 0.0, 0.0, origin), "rolling");
+    }
+    const double mu = context.uniform(0.05, 0.5);
+    const SlipRate<double> lean = formula::stage_slip(body.mobility, stage, mu, c, s);
+    const SlipRate<double> whole = formula::slip_rate(now.W, now.brake, now.need, mu, c, s);
+    if (0.1 * now.W.zz < whole.denominator) {
+      const double size = std::fabs(whole.N) + now.need.norm() + whole.N * now.W.zz;
+      for (const double off : {lean.along - whole.along, lean.across - whole.across, lean.N - whole.N,
+                               0.1 * (lean.across_slope - whole.across_slope)}) {
+        checks["slip"].see(std::fabs(context.produced(off + size) - size) / size,
+                           [&] { return fmt::format("axis ({:a}, {:a}, {:a})", u.x(), u.y(), u.z()); });
+      }
+      const Vec3<double> force = formula::friction_force(whole.N, mu * whole.N, c, s);
+      see(formula::stage_sliding(body.mobility, stage, lean, mu, c, s, sigma, body.damping, origin),
+          detail::rates(body, now, force, sigma * c, sigma * s, origin), "sliding");
+    }
+  }
+  return checks.measurement();
+}
+
+}  // namespace
+
+std::vector<Claim> drop_value_claims() {
+  return {
+      {.id = "DROP-32",
+       .statement =
+           "How the time of a drop is cut does not matter, nor that it is stored, gone back to, kept or held up by a "
+           "budget: state and events are the same to the last bit, on plane, board and edge, in 1 to 1000 pieces.",
+       .function = "Drop::advance_to",
+       .family = OracleFamily::relation,
+       .oracle = "the same drop in one piece",
+       .checks = {none("cuts", "drops that differ")},
+       .mutants = {{"drop/drop.hpp", "now_ = !ends ? until", "now_ = run_.time = !ends ? until"},
+                   {"drop/integrator.hpp", "T h = longest < step_ ? longest : step_;",
+                    "T h = longest < step_ ? longest : step_ + T(0) * T(++run.counters.impacts);"}},
+       .measure = measure_cuts},
+      {.id = "DROP-33",
+       .statement =
+           "The state of a drop at any time of its past is that of the drop from a moment before, at tolerance 1e-12; "
+           "the place's derivative is the velocity; at an event it is the event's, before and after.",
+       .function = "Drop::state_at",
+       .family = OracleFamily::relation,
+       .oracle = "a fresh drop, at 1e-12, from the state up to 2 ms before",
+       .checks = {within("place", 10.0, "of the tolerance", "measured"), within("momenta", 10.0, "of the tolerance", "measured"),
+                  within("energy", 1.0, "of the tolerance", "measured"),
+                  within("derivative", 10.0, "of 30 tolerances", "measured"),
+                  within("events", 10.0, "ε-ish", "measured")},
+       .mutants = {{"drop/runge_kutta.hpp", "result.c[5][i] = b;", "result.c[5][i] = T(-1) * b;"},
+                   {"drop/stretch.hpp", "T(t / touching->length)", "T(t / (T(1.0001) * touching->length))"}},
+       .measure = measure_any_time},
+      {.id = "DROP-34",
+       .statement = "At the inner stages of a step the rates are those of the equations, in another form.",
+       .function = "formula::stage_rolling, formula::stage_sliding",
+       .family = OracleFamily::other_formula,
+       .oracle = "contact_motion, rolling_force, slip_rate and contact_rates",
+       .checks = {within("rolling", 1e-13, "relative", "measured"), within("sliding", 1e-13, "relative", "measured"),
+                  within("slip", 1e-13, "relative", "measured")},
+       .mutants = {{"drop/stage_rates.hpp", "const T beta = mobility.axial / at.lambda_c", "const T beta = mobility.axial / at.lambda"},
+                   {"drop/stage_rates.hpp", "rate.across_slope = b_y * c - b_x * s - rate.along;",
+                    "rate.across_slope = b_y * c - b_x * s;"}},
+       .measure = measure_stages},
+  };
+}
+
+}  // namespace goishi::verify
