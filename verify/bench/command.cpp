@@ -1,6 +1,7 @@
 #include "verify/bench/command.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -8,6 +9,8 @@
 #include <filesystem>
 #include <future>
 #include <goishi/error.hpp>
+
+#include "verify/report/markdown.hpp"
 
 namespace goishi::verify::bench {
 
@@ -83,8 +86,27 @@ void print_list() {
   }
 }
 
+/// Whether the document's tables have the rows that they should.
+bool check_tables(const std::filesystem::path& root) {
+  const std::vector<std::string> found =
+      document_differences(markdown::part_of_file(root / document_name, document_part));
+  for (const std::string& difference : found) {
+    fmt::print("FAILS  {}: {}\n", document_name, difference);
+  }
+  if (!found.empty()) {
+    fmt::print("On a quiet machine: goishi-verify bench --write-tables {}\n", root.string());
+  }
+  return found.empty();
+}
+
 /// Bad usage is better said before the measurement than after.
 void require_places(const BenchOptions& options) {
+  if (!options.write_tables.empty()) {
+    goishi::require(options.tier == "full", "tier", options.tier, "must be full where tables are written");
+    goishi::require(options.problems.empty(), "problem", fmt::format("{}", fmt::join(options.problems, ",")),
+                    "must not be given where tables are written");
+    (void)markdown::part_of_file(std::filesystem::path(options.write_tables) / document_name, document_part);
+  }
   for (const auto& [argument, name] :
        {std::pair("csv", options.csv_file), std::pair("markdown", options.markdown_file)}) {
     const std::filesystem::path file = name;
@@ -118,19 +140,35 @@ CLI::App* define_bench(CLI::App& app, BenchOptions& options) {
       ->add_option("--report", options.report_folder,
                    fmt::format("write {} (tables and plots) and {} into this folder", page_name, csv_name))
       ->type_name("DIR");
+  CLI::Option* const write =
+      bench
+          ->add_option("--write-tables", options.write_tables,
+                       fmt::format("write the costs into {} of the source tree in DIR; only of all problems, in the "
+                                   "full tier",
+                                   document_name))
+          ->type_name("DIR");
+  bench
+      ->add_option("--check-tables", options.check_tables,
+                   "look whether its rows are of the problems that there are, and measure nothing")
+      ->excludes(write)
+      ->type_name("DIR");
   bench->footer(
       "Prints what each contestant costs, at equal attitude error where it has steps, and the bars. Times depend on "
       "the\n"
-      "machine, so a bar that is not held does not change the exit status: 0, or 2 for bad usage.\n"
+      "machine, so a bar that is not held does not change the exit status: 0, 1 where the rows of a table are "
+      "not as they should be, 2 for bad usage.\n"
       "Example: goishi-verify bench --problem spin,edge --csv points.csv");
   return bench;
 }
 
-void run_bench_command(const BenchOptions& options) {
+bool run_bench_command(const BenchOptions& options) {
   const std::vector<const Problem*> chosen = chosen_problems(options.problems);
   if (options.list) {
     print_list();
-    return;
+    return true;
+  }
+  if (!options.check_tables.empty()) {
+    return check_tables(options.check_tables);
   }
   require_places(options);
   const bool quick = options.tier == "quick";
@@ -148,6 +186,11 @@ void run_bench_command(const BenchOptions& options) {
     write_file(folder / page_name, html_page(page_section(bench), bench.stamp, bench.seconds));
     write_file(folder / csv_name, csv_report(bench));
   }
+  if (!options.write_tables.empty()) {
+    const std::filesystem::path document = std::filesystem::path(options.write_tables) / document_name;
+    write_file(document, markdown::file_with_part(document, document_part, document_text(bench)));
+  }
+  return true;
 }
 
 Bench run_bench_for_report() {

@@ -17,13 +17,16 @@ struct BenchOptions {
   std::string csv_file;
   std::string markdown_file;
   std::string report_folder;
+  std::string write_tables;
+  std::string check_tables;
 };
 
 /// The subcommand, with its options.
 [[nodiscard]] CLI::App* define_bench(CLI::App& app, BenchOptions& options);
 
-/// Measures, prints, and writes what was asked for. Throws InvalidArgument when an option is wrong.
-void run_bench_command(const BenchOptions& options);
+/// Measures, prints, and writes what was asked for; false where tables do not fit. Throws InvalidArgument when an option
+/// is wrong.
+[[nodiscard]] bool run_bench_command(const BenchOptions& options);
 
 /// The shorter run (about half a minute) that the report of the claims shows, with a running count on a terminal.
 [[nodiscard]] Bench run_bench_for_report();

@@ -6,6 +6,7 @@
 
 #include "verify/bench/contact/contact.hpp"
 #include "verify/bench/drop/drops.hpp"
+#include "verify/bench/mass/mass.hpp"
 #include "verify/bench/motion/motion.hpp"
 #include "verify/suite/quantile.hpp"
 
@@ -103,7 +104,7 @@ std::string_view to_string(Kind kind) {
 }
 
 const std::vector<Subject>& subjects() {
-  static const std::vector<Subject> all = {motion::subject(), contact::subject(), drops::subject()};
+  static const std::vector<Subject> all = {mass::subject(), motion::subject(), contact::subject(), drops::subject()};
   return all;
 }
 

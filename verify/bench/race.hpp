@@ -79,6 +79,13 @@ struct Curve {
   std::vector<Point> points = {};              // from coarse to fine
 };
 
+/// Who has no setting: `ask(i)` answers case i, `judge(answers)` says what the answers are worth.
+template <class Ask, class Judge>
+[[nodiscard]] Curve make_curve(std::size_t cases, std::string name, std::string label, Ask ask, Judge judge) {
+  return {.who = {std::move(name), std::move(label), "ours"},
+          .enter = [=](double /*no setting*/) { return make_entry(cases, ask, judge); }};
+}
+
 struct Race {
   std::string name = {}, title = {};  // its problem's
   std::string note;                   // who gave the right answers, and what was the same for all

@@ -32,11 +32,21 @@ struct Bar {
 /// The page's tables, for a terminal, and in Markdown.
 [[nodiscard]] std::string text_report(const Bench& bench);
 [[nodiscard]] std::string markdown_report(const Bench& bench);
+/// For verify/bench/README.md, of a whole run: a table for each subject, with the library's own of each problem and
+/// the most accurate of the others; no steppers, of which the page has the curves.
+inline constexpr const char* document_name = "verify/bench/README.md";
+inline constexpr const char* document_part = "costs";
+[[nodiscard]] std::string document_text(const Bench& bench);
+/// How what stands there does not fit the problems that there are; times and errors are not looked at.
+[[nodiscard]] std::vector<std::string> document_differences(std::string_view part);
+
 /// One line a point. SI units, times in nanoseconds; `nan` where there was no answer, empty what a race does not have.
 [[nodiscard]] std::string csv_report(const Bench& bench);
 
 /// Nanoseconds for people: "15.5 ns", "6.33 µs", "7.24 ms".
 [[nodiscard]] std::string time_text(double nanoseconds);
+/// A table in Markdown.
+[[nodiscard]] std::string piped(const Table& table);
 /// "FCL, hull of 256 points".
 [[nodiscard]] std::string point_name(const Who& who, double setting);
 /// "3.1e-5 m", "3".

@@ -46,6 +46,8 @@ std::string aligned(const Table& table) {
   return out;
 }
 
+}  // namespace
+
 std::string piped(const Table& table) {
   std::vector<Row> rows = rows_of(table);
   rows.insert(rows.begin() + 1, Row(table.head.size(), "---"));
@@ -55,8 +57,6 @@ std::string piped(const Table& table) {
   }
   return out;
 }
-
-}  // namespace
 
 std::string text_report(const Bench& bench) {
   const Stamp& stamp = bench.stamp;

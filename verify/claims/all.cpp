@@ -45,7 +45,7 @@ std::vector<Claim> all_claims() {
       {"claims/impact/domain.cpp", domain_impact_claims},
       {"claims/impact/laws.cpp", impact_claims},
       {"claims/impact/process.cpp", impact_process_claims},
-      {"claims/impact/stick.cpp", impact_stick_claims},
+      {"claims/impact/slip.cpp", impact_slip_claims},
       {"claims/drop/bounces.cpp", drop_bounces_claims},
       {"claims/drop/rocking.cpp", drop_rocking_claims},
       {"claims/drop/rolling.cpp", drop_rolling_claims},

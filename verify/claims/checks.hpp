@@ -2,6 +2,7 @@
 /// \file
 /// Checks, made in a line.
 
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -30,6 +31,18 @@ namespace goishi::verify {
 template <class Describe>
 void see_choice(Worst& worst, bool right, Describe&& describe) {
   worst.see(right ? 0.0 : 1.0, std::forward<Describe>(describe));
+}
+
+/// The measurement of a claim that looks at samples in double, and as many in float.
+[[nodiscard]] inline std::function<Measurement(Context&)> measure_both(void (*in_double)(Context&, Checks&, int),
+                                                                       void (*in_float)(Context&, Checks&, int),
+                                                                       int quick, int full) {
+  return [=](Context& context) {
+    Checks checks;
+    in_double(context, checks, context.samples(quick, full));
+    in_float(context, checks, context.samples(quick, full));
+    return checks.measurement();
+  };
 }
 
 }  // namespace goishi::verify

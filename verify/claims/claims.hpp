@@ -47,8 +47,9 @@ namespace goishi::verify {
 [[nodiscard]] std::vector<Claim> time_of_impact_odeint_claims();  // TOI: against Odeint with events
 [[nodiscard]] std::vector<Claim> published_contact_claims();      // PUBLISHED: the talk's test, push-out and support
 [[nodiscard]] std::vector<Claim> impact_claims();                 // IMPACT: restitution, momentum, energy, friction
-[[nodiscard]] std::vector<Claim> impact_process_claims();    // IMPACT: Stronge's law, and the default law beside it
-[[nodiscard]] std::vector<Claim> impact_stick_claims();      // IMPACT: Stronge's law where the slip stops
+[[nodiscard]] std::vector<Claim>
+impact_process_claims();  // IMPACT: Stronge's law in a plane, and the default law beside it
+[[nodiscard]] std::vector<Claim> impact_slip_claims();       // IMPACT: Stronge's law out of the plane
 [[nodiscard]] std::vector<Claim> published_impact_claims();  // PUBLISHED: the talk's impacts
 [[nodiscard]] std::vector<Claim> published_drop_claims();    // PUBLISHED: the talk's loop on whole drops
 [[nodiscard]] std::vector<Claim> drop_odeint_claims();       // DROP: contact phases against Lagrange's equations

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What a full run leaves in the documents: tables between two markers, `<!-- goishi-verify: NAME -->` and
+/// What a full run leaves in the documents, and a bench in its own: tables between two markers, `<!-- goishi-verify: NAME -->` and
 /// `<!-- end -->`, written and compared.
 
 #include <filesystem>
@@ -31,6 +31,11 @@ inline constexpr double greatest_change = 1.5;
 /// std::runtime_error where the document does not have the part exactly once.
 [[nodiscard]] std::string part(std::string_view document, std::string_view name);
 [[nodiscard]] std::string with_part(std::string_view document, std::string_view name, std::string_view text);
+
+/// The same of a document on disk, which the message of an exception names.
+[[nodiscard]] std::string part_of_file(const std::filesystem::path& document, std::string_view name);
+[[nodiscard]] std::string file_with_part(const std::filesystem::path& document, std::string_view name,
+                                         std::string_view text);
 
 /// Throws std::runtime_error where `root` does not have both documents with their parts.
 void require_parts(const std::filesystem::path& root);

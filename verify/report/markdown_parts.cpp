@@ -76,18 +76,24 @@ std::string with_part(std::string_view document, std::string_view name, std::str
   return fmt::format("{}\n{}\n{}", document.substr(0, begin), text, document.substr(end));
 }
 
+std::string part_of_file(const std::filesystem::path& document, std::string_view name) {
+  return of_document(document, [&](std::string_view text) { return part(text, name); });
+}
+
+std::string file_with_part(const std::filesystem::path& document, std::string_view name, std::string_view text) {
+  return of_document(document, [&](std::string_view whole) { return with_part(whole, name, text); });
+}
+
 void require_parts(const std::filesystem::path& root) {
   for (const Document& document : documents) {
-    (void)of_document(root / document.file, [&](std::string_view text) { return part(text, document.name); });
+    (void)part_of_file(root / document.file, document.name);
   }
 }
 
 void write_tables(const Run& run, const std::filesystem::path& root) {
   std::vector<std::string> texts;
   for (const Document& document : documents) {
-    texts.push_back(of_document(root / document.file, [&](std::string_view text) {
-      return with_part(text, document.name, document.table(run));
-    }));
+    texts.push_back(file_with_part(root / document.file, document.name, document.table(run)));
   }
   for (std::size_t i = 0; i < texts.size(); ++i) {
     write_file(root / documents[i].file, texts[i]);
@@ -97,9 +103,7 @@ void write_tables(const Run& run, const std::filesystem::path& root) {
 std::vector<std::string> table_differences(const Run& run, const std::filesystem::path& root) {
   std::vector<std::string> found;
   for (const Document& document : documents) {
-    for (const std::string& difference : of_document(root / document.file, [&](std::string_view text) {
-           return document.differences(part(text, document.name), run);
-         })) {
+    for (const std::string& difference : document.differences(part_of_file(root / document.file, document.name), run)) {
       found.push_back(fmt::format("{}: {}", document.file, difference));
     }
   }

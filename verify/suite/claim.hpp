@@ -219,7 +219,9 @@ class Worst {
             .worst_case = worst_case_};
   }
   /// Of a claim with one check.
-  [[nodiscard]] Measurement measurement() const { return {.checks = {measured()}}; }
+  [[nodiscard]] Measurement measurement(std::vector<Figure> figures = {}) const {
+    return {.checks = {measured()}, .figures = std::move(figures)};
+  }
 
  private:
   double error_ = -1.0;
@@ -239,8 +241,8 @@ class Checks {
     }
     return checks_.emplace_back(name, Worst()).second;
   }
-  [[nodiscard]] Measurement measurement() const {
-    Measurement result;
+  [[nodiscard]] Measurement measurement(std::vector<Figure> figures = {}) const {
+    Measurement result{.checks = {}, .figures = std::move(figures)};
     for (const auto& [name, worst] : checks_) {
       result.checks.push_back(worst.measured(name));
     }

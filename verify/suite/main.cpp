@@ -288,8 +288,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     if (bench_command->parsed()) {
-      bench::run_bench_command(bench_options);
-      return all_hold;
+      return bench::run_bench_command(bench_options) ? all_hold : claim_failed;
     }
     if (stress_command->parsed()) {
       return stress::run_stress_command(stress_options) ? all_hold : claim_failed;

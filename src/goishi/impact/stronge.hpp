@@ -72,7 +72,7 @@ namespace detail {
 
 /// Compression lasts until the normal velocity vanishes, restitution until the work of the normal force has given back
 /// e² of what compression took; should friction drive the contact together again meanwhile, that work counts, too.
-/// Error  3e-13 of the velocity in a plane (claim IMPACT-6), 1e-11 where the slip turns (IMPACT-7), 2e-14 where it stops (IMPACT-9).
+/// Error  3e-13 of the velocity in a plane (claim IMPACT-6), 1e-14 where the slip turns (IMPACT-7), 2e-14 where it stops (IMPACT-9).
 template <Ordered T>
 class StrongeProcess {
  public:

@@ -38,13 +38,6 @@ template <class Values, class F>
   return quantile(numbers, 0.5);
 }
 
-/// Who has no setting: `ask(i)` answers case i, `judge(answers)` says what the answers are worth.
-template <class Ask, class Judge>
-[[nodiscard]] Curve make_curve(std::size_t cases, std::string name, std::string label, Ask ask, Judge judge) {
-  return {.who = {std::move(name), std::move(label), "ours"},
-          .enter = [=](double /*no setting*/) { return make_entry(cases, ask, judge); }};
-}
-
 /// From flight to rest at each tolerance; ten thousand elastic bounces; single impacts.
 [[nodiscard]] std::vector<Problem> whole_drops();
 

@@ -173,10 +173,8 @@ Measurement measure_million(Context& context) {
   }
   checks["defects"].see(not_converged * 1000 > pairs ? 1.0 : 0.0,
                         [&] { return fmt::format("{} of {} pairs not converged", not_converged, pairs); });
-  Measurement result = checks.measurement();
-  result.figures = {
-      {"pairs of stones that are said not to have converged", fmt::format("{} of {}", not_converged, pairs)}};
-  return result;
+  return checks.measurement(
+      {{"pairs of stones that are said not to have converged", fmt::format("{} of {}", not_converged, pairs)}});
 }
 
 }  // namespace

@@ -106,9 +106,7 @@ Measurement measure_steps(Context& context) {
           [&] { return describe(pair) + ", from p = " + describe(start.p_WB); });
     }
   }
-  Measurement result = worst.measurement();
-  result.figures = {{"not certified, and left out", fmt::format("{} of {}", uncertified, count * 5 / 2)}};
-  return result;
+  return worst.measurement({{"not certified, and left out", fmt::format("{} of {}", uncertified, count * 5 / 2)}});
 }
 
 }  // namespace

@@ -89,16 +89,15 @@ Measurement measure_pairs(Context& context, bool cores_overlap, int count) {
   }
   see_search(checks["faults"], short_of, seen);
   checks["faults"].see(20 * uncertified <= seen ? 0.0 : 1.0, [] { return "more than one in twenty uncertified"; });
-  Measurement result = checks.measurement();
   std::string strata;
   for (std::size_t k = 0; k < drawn.size(); ++k) {
     strata += fmt::format("{}{} {}", k == 0 ? "" : ", ", pair_strata[k], drawn[k]);
   }
-  result.figures = {{"pairs", strata},
-                    {"without a certificate", fmt::format("{} of {}, a better normal by up to {:.2g} of the widths",
-                                                          uncertified, seen, worst_uncertified)},
-                    {"the search was not within 1e-9 of the width", fmt::format("{} of {}", short_of, seen)}};
-  return result;
+  return checks.measurement(
+      {{"pairs", strata},
+       {"without a certificate",
+        fmt::format("{} of {}, a better normal by up to {:.2g} of the widths", uncertified, seen, worst_uncertified)},
+       {"the search was not within 1e-9 of the width", fmt::format("{} of {}", short_of, seen)}});
 }
 
 }  // namespace

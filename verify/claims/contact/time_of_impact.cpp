@@ -129,10 +129,8 @@ Measurement measure_plane_time(Context& context) {
       see(computed.time == end ? 0.0 : 1.0, "faults", "time of none: ");
     }
   }
-  Measurement result = checks.measurement();
-  result.figures = {{"hits", fmt::format("{}, {} flights made to graze", hits, grazing)},
-                    {"most steps", fmt::format("{}", steps)}};
-  return result;
+  return checks.measurement(
+      {{"hits", fmt::format("{}, {} flights made to graze", hits, grazing)}, {"most steps", fmt::format("{}", steps)}});
 }
 
 // --- where it starts

@@ -243,9 +243,7 @@ Measurement measure_flight_containment(Context& context) {
   // Three features in each of support, closest point and gap; two flights.
   const auto missing = static_cast<double>(kinds * 11) - static_cast<double>(choices.size());
   checks["choices"].see(missing, [] { return "never made"; });
-  Measurement result = checks.measurement();
-  result.figures = {{"choices made", fmt::format("{}", choices.size())}};
-  return result;
+  return checks.measurement({{"choices made", fmt::format("{}", choices.size())}});
 }
 
 Measurement measure_flight_width(Context& context) {

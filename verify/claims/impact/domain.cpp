@@ -155,13 +155,6 @@ void see_units(Context& context, Checks& checks, int count) {
   }
 }
 
-Measurement measure_units(Context& context) {
-  Checks checks;
-  see_units<double>(context, checks, context.samples(3000, 30'000));
-  see_units<float>(context, checks, context.samples(3000, 30'000));
-  return checks.measurement();
-}
-
 }  // namespace
 
 std::vector<Claim> domain_impact_claims() {
@@ -191,7 +184,7 @@ std::vector<Claim> domain_impact_claims() {
        .mutants = {{"impact/chatterjee_ruina.hpp", "least < approach && approach * least < T(1) && ", ""},
                    {"impact/chatterjee_ruina.hpp", " && least < mobility && mobility * least < T(1)", ""},
                    {"impact/laws.hpp", "const ContactMatrix<T> W = units.of(c.W);", "const ContactMatrix<T> W = c.W;"}},
-       .measure = measure_units},
+       .measure = measure_both(see_units<double>, see_units<float>, 3000, 30'000)},
   };
 }
 

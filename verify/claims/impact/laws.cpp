@@ -135,12 +135,10 @@ Measurement measure_no_gain(Context& context) {
         (law == ImpactLaw::published ? rounds : steps) =
             std::max(law == ImpactLaw::published ? rounds : steps, end.impulse.rounds);
       });
-  Measurement result = checks.measurement();
-  result.figures = {{"the greatest loss", fmt::format("{:.1f} % of the energy", -100.0 * least)},
-                    {"the published law gave up after 1000 rounds", fmt::format("{} times", unsettled)},
-                    {"steps of Stronge's law", fmt::format("{} at most", steps)},
-                    {"rounds of the published law", fmt::format("{} at most", rounds)}};
-  return result;
+  return checks.measurement({{"the greatest loss", fmt::format("{:.1f} % of the energy", -100.0 * least)},
+                             {"the published law gave up after 1000 rounds", fmt::format("{} times", unsettled)},
+                             {"steps of Stronge's law", fmt::format("{} at most", steps)},
+                             {"rounds of the published law", fmt::format("{} at most", rounds)}});
 }
 
 // --- IMPACT-5

@@ -1,4 +1,4 @@
-/// IMPACT: Stronge's law against the process worked out in other ways, and the default law beside it.
+/// IMPACT: Stronge's law in a plane, and the default law beside it.
 
 #include <fmt/format.h>
 
@@ -106,94 +106,8 @@ Measurement measure_routh(Context& context) {
     reversed += end.slip * t.dot(meeting.before) < 0;
     held += std::fabs(end.slip) < 1e-12L;
   }
-  Measurement result = worst.measurement();
-  result.figures = {{"left with the slip reversed", fmt::format("{} of {}", reversed, worst.cases())},
-                    {"left without slip", fmt::format("{} of {}", held, worst.cases())}};
-  return result;
-}
-
-// --- IMPACT-7: fixed steps
-
-/// The velocity after a normal impulse p in `steps` classical Runge–Kutta steps, and the work of the normal force.
-struct Process {
-  Mat3<long double> W;
-  Long3 n;
-  long double mu;
-
-  [[nodiscard]] Long3 slip_of(const Long3& v) const { return v - v.dot(n) * n; }
-  [[nodiscard]] Long3 rate(const Long3& v) const {
-    const Long3 s = slip_of(v);
-    return W * Long3(n - mu / s.norm() * s);
-  }
-  struct Way {
-    Long3 v;
-    long double work;
-    long double least_slip;
-    long double roughest = 0;  // greatest part of the slip that a step is to change
-  };
-  [[nodiscard]] Way after(Long3 v, long double p, int steps) const {
-    const long double h = p / steps;
-    Way way{v, 0, slip_of(v).norm()};
-    for (int i = 0; i < steps; ++i) {
-      const Long3 k1 = rate(v), k2 = rate(v + h / 2 * k1), k3 = rate(v + h / 2 * k2), k4 = rate(v + h * k3);
-      // Simpson, with the cubic's value in the middle.
-      const Long3 next = v + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-      const Long3 middle = (v + next) / 2 + h / 8 * (k1 - rate(next));
-      way.work += h / 6 * (v + 4 * middle + next).dot(n);
-      way.roughest = std::max(way.roughest, h * slip_of(k1).norm() / slip_of(v).norm());
-      v = next;
-      way.least_slip = std::min(way.least_slip, slip_of(v).norm());
-    }
-    way.v = v;
-    return way;
-  }
-};
-
-Measurement measure_steps(Context& context) {
-  Checks checks;
-  const int count = context.samples(150, 1500);
-  double turned = 0.0;
-  for (int i = 0; checks["velocity"].cases() < static_cast<std::uint64_t>(count); ++i) {
-    Encounter met = draw_encounter(context, i);
-    met.material.friction = std::min(met.material.friction, 3.0);
-    const Meeting meeting(met);
-    if (!(meeting.before.dot(meeting.n) < -0.05L * meeting.before.norm())) {
-      continue;
-    }
-    const Process process{meeting.W, meeting.n, static_cast<long double>(met.material.friction)};
-    const TwoBodyImpact<double> found = strike(met, ImpactLaw::stronge);
-    // The impulse that is told must end the process: compression at v_n = 0, restitution at its share of the work.
-    const long double p = static_cast<long double>(context.produced(found.impulse.normal));
-    constexpr int steps = 200;
-    const Process::Way coarse = process.after(meeting.before, p, steps / 2);
-    const Process::Way way = process.after(meeting.before, p, steps);
-    if (!(way.least_slip > 0.2L * process.slip_of(meeting.before).norm() && way.roughest < 0.1L)) {
-      continue;  // it slips all the way, or the steps would not do
-    }
-    long double low = 0, high = p;
-    for (int k = 0; k < 40 && met.material.restitution > 0.0; ++k) {
-      const long double middle = (low + high) / 2;
-      (process.after(meeting.before, middle, steps).v.dot(meeting.n) < 0 ? low : high) = middle;
-    }
-    const long double compression = process.after(meeting.before, high, steps).work;
-    const long double share = 1 - std::pow(static_cast<long double>(met.material.restitution), 2);
-    const long double scale = meeting.before.norm();
-    // What the witness changes with half the steps, and 1e-11.
-    const auto see = [&](long double error, long double own, const char* name) {
-      checks[name].see(as_double(error / (1e-11L + own)), [&] { return describe(met, ImpactLaw::stronge); });
-    };
-    see((way.v - meeting.velocity(found.first, found.second)).norm() / scale, (way.v - coarse.v).norm() / scale,
-        "velocity");
-    const Process::Way half = process.after(meeting.before, high, steps / 2);
-    see(std::fabs(way.work - share * compression) / -compression,
-        (std::fabs(way.work - coarse.work) + std::fabs(compression - half.work)) / -compression, "work");
-    const Long3 slip = process.slip_of(meeting.before), last = process.slip_of(way.v);
-    turned =
-        std::max(turned, as_double(std::acos(std::clamp(slip.dot(last) / (slip.norm() * last.norm()), -1.0L, 1.0L))));
-  }
-  Measurement result = checks.measurement();
-  result.figures = {{"the slip turned by up to", fmt::format("{:.0f}°", turned * 180.0 / 3.14159265358979)}};
-  return result;
+  return worst.measurement({{"left with the slip reversed", fmt::format("{} of {}", reversed, worst.cases())},
+                            {"left without slip", fmt::format("{} of {}", held, worst.cases())}});
 }
 
 // --- IMPACT-8: the default law beside it
@@ -247,9 +161,7 @@ Measurement measure_default(Context& context) {
       checks["ball"].see(difference_of(context, make_stone(0.022, 0.022), e, mu, count).absolute, [&] { return name; });
     }
   }
-  Measurement result = checks.measurement();
-  result.figures = figures;
-  return result;
+  return checks.measurement(figures);
 }
 
 }  // namespace
@@ -275,28 +187,6 @@ std::vector<Claim> impact_process_claims() {
                     "T(scale * (W.yy * vx + W.xy * vy))"},
                    {"impact/contact_matrix.hpp", ".xz = formula::dot(a, Wn)", ".xz = formula::dot(b, Wn)"}},
        .measure = measure_routh},
-      {.id = "IMPACT-7",
-       .statement = "Stronge's law out of the plane, where the slip turns: the same process as with fixed steps in the "
-                    "normal impulse.",
-       .function = "resolve, stronge; slip_series",
-       .family = OracleFamily::integration,
-       .oracle = "the classical Runge–Kutta method in long double, 200 steps, on impacts that slip all the way",
-       .checks = {{.name = "velocity",
-                   .unit = "of 1e-11 and the witness's own error",
-                   .bound = 0.5,
-                   .reason =
-                       "the witness changes by 15 times its error when its steps are doubled; 1e-11 is what 64 ε in "
-                       "the direction of the slip can grow to; measured 2026-11-30 with 26 seeds: up to 0.068"},
-                  within("work", 0.5, "of 1e-11 and the witness's own error",
-                         "the same; measured 2026-11-30 with 26 seeds: up to 0.076")},
-       .mutants = {{"impact/stronge.hpp", "T(-against * v.x()), T(-against * v.y())",
-                    "T(-against * v.x()), T(-against * v.x())"},
-                   {"impact/stronge.hpp", "- speed[i] * speed[k + 1 - i]", "+ speed[i] * speed[k + 1 - i]"},
-                   {"impact/stronge.hpp", "series[k + 1].work = over * along * power",
-                    "series[k + 1].work = along * power"},
-                   {"impact/stronge.hpp", "state.work + given_back_ * compression_",
-                    "state.work + T(2) * given_back_ * compression_"}},
-       .measure = measure_steps},
       {.id = "IMPACT-8",
        .statement =
            "The default law stays near Stronge's: on a stone of size 33, with friction up to 0.3, the impulses "

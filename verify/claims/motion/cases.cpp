@@ -137,9 +137,7 @@ Measurement compare(const Context& context, const Case& printed, const std::vect
     figures.push_back({route.name + " differs from the print by", fmt::format("{:.2g} {}", greatest, printed.unit)});
   }
   figures.push_back({"the raw equations by Taylor series, relatively", fmt::format("{:.2g}", witness_error(printed))});
-  Measurement result = checks.measurement();
-  result.figures = figures;
-  return result;
+  return checks.measurement(figures);
 }
 
 // --- the cases

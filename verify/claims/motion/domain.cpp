@@ -179,13 +179,6 @@ void see_batches(Context& context, Checks& checks, int count) {
   }
 }
 
-Measurement measure_batches(Context& context) {
-  Checks checks;
-  see_batches<double>(context, checks, context.samples(200, 2000));
-  see_batches<float>(context, checks, context.samples(200, 2000));
-  return checks.measurement();
-}
-
 }  // namespace
 
 std::vector<Claim> domain_motion_claims() {
@@ -232,7 +225,7 @@ std::vector<Claim> domain_motion_claims() {
                          "beyond 1e10 rad the batch leaves them to free_flight")},
        .mutants = {{"motion/batch.hpp", "angle < T(65536) * T(65536)", "true"},
                    {"motion/batch.hpp", "put(i, free_flight(get(i), rates, gravity, t));", "put(i, get(i));"}},
-       .measure = measure_batches},
+       .measure = measure_both(see_batches<double>, see_batches<float>, 200, 2000)},
   };
 }
 

@@ -175,13 +175,6 @@ void see_steps(Context& context, Checks& checks, int count) {
   }
 }
 
-Measurement measure_steps(Context& context) {
-  Checks checks;
-  see_steps<double>(context, checks, context.samples(120, 1500));
-  see_steps<float>(context, checks, context.samples(120, 1500));
-  return checks.measurement();
-}
-
 // --- invariants
 
 template <class T>
@@ -270,13 +263,6 @@ void see_invariants(Context& context, Checks& checks, int count) {
   }
 }
 
-Measurement measure_invariants(Context& context) {
-  Checks checks;
-  see_invariants<double>(context, checks, context.samples(1000, 10'000));
-  see_invariants<float>(context, checks, context.samples(1000, 10'000));
-  return checks.measurement();
-}
-
 }  // namespace
 
 std::vector<Claim> domain_steppers_claims() {
@@ -308,7 +294,7 @@ std::vector<Claim> domain_steppers_claims() {
                    {"motion/steppers.hpp", "const T size = update.cwiseAbs().sum();",
                     "const T size = update.squaredNorm();"},
                    {"motion/steppers.hpp", "T(1) / T(4) < square && square < T(4)", "square < T(4)"}},
-       .measure = measure_steps},
+       .measure = measure_both(see_steps<double>, see_steps<float>, 120, 1500)},
       {.id = "DOMAIN-15",
        .statement =
            "Energies, momenta and the state seen from another frame, for bodies of any size anywhere, with |q|² of "
@@ -327,7 +313,7 @@ std::vector<Claim> domain_steppers_claims() {
        .mutants = {{"motion/invariants.hpp", "formula::reunited(q_WV).conjugate()", "q_WV.conjugate()"},
                    {"motion/invariants.hpp", "body.mass * state.v_WB.dot(state.v_WB) / T(2)",
                     "scalar::sq(T(body.mass)) * state.v_WB.dot(state.v_WB) / (T(2) * body.mass)"}},
-       .measure = measure_invariants},
+       .measure = measure_both(see_invariants<double>, see_invariants<float>, 1000, 10'000)},
   };
 }
 

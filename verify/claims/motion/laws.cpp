@@ -63,10 +63,9 @@ Measurement measure_time_reversal(Context& context) {
       }
     }
   }
-  Measurement result = checks.measurement();
-  result.figures = {{"implicit midpoint and splittings come back to", fmt::format("{:.2g} rad", with_symmetry)},
-                    {"runge-kutta-4, which is not symmetric in time, to", fmt::format("{:.2g} rad", without_symmetry)}};
-  return result;
+  return checks.measurement(
+      {{"implicit midpoint and splittings come back to", fmt::format("{:.2g} rad", with_symmetry)},
+       {"runge-kutta-4, which is not symmetric in time, to", fmt::format("{:.2g} rad", without_symmetry)}});
 }
 
 // --- MOTION-2

@@ -188,9 +188,7 @@ Measurement measure_drift(Context& context) {
   std::vector<Figure> figures;
   see_drift(context, checks, figures, asymmetric_example(), true);
   see_drift(context, checks, figures, draw_wobble(context, BodyKind::asymmetric), false);
-  Measurement result = checks.measurement();
-  result.figures = figures;
-  return result;
+  return checks.measurement(figures);
 }
 
 // --- ORDER-4

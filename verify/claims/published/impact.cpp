@@ -80,13 +80,11 @@ Measurement measure_linear(Context& context) {
                            epsilon * std::fabs(landed.state.v_WB.z()), [&] { return fmt::format("e = {:a}", e); });
     }
   }
-  Measurement result = checks.measurement();
-  result.figures = {
-      {"with the contact's velocity", fmt::format("{:.0f} % of random contacts gain energy, up to {:.1f} times "
-                                                  "what they had",
-                                                  100.0 * gained / seen, 1.0 + greatest)},
-      {"right", "none does: j = −(1 + e) p · n with p the momentum, or −(1 + e) v · n/K(n)"}};
-  return result;
+  return checks.measurement(
+      {{"with the contact's velocity", fmt::format("{:.0f} % of random contacts gain energy, up to {:.1f} times "
+                                                   "what they had",
+                                                   100.0 * gained / seen, 1.0 + greatest)},
+       {"right", "none does: j = −(1 + e) p · n with p the momentum, or −(1 + e) v · n/K(n)"}});
 }
 
 // --- PUBLISHED-15
@@ -139,13 +137,11 @@ Measurement measure_effective(Context& context) {
         std::fabs(context.produced(right.velocity_after.z()) / -right.velocity_before.z() - some_e), 100.0 * epsilon,
         describe_it);
   }
-  Measurement result = checks.measurement();
-  result.figures = {
-      {"one round, e = 0.5, μ = 0.5", fmt::format("effective restitution from {:.4f} to {:.4f}", least, most)},
-      {"that is e ± c μ (1 + e) with",
-       fmt::format("c = {:.6f}, at a lean of {:.2f}°", coupling, worst_lean * 180.0 / 3.14159265358979)},
-      {"right: the default law", "0.5"}};
-  return result;
+  return checks.measurement(
+      {{"one round, e = 0.5, μ = 0.5", fmt::format("effective restitution from {:.4f} to {:.4f}", least, most)},
+       {"that is e ± c μ (1 + e) with",
+        fmt::format("c = {:.6f}, at a lean of {:.2f}°", coupling, worst_lean * 180.0 / 3.14159265358979)},
+       {"right: the default law", "0.5"}});
 }
 
 // --- PUBLISHED-16
@@ -188,9 +184,7 @@ Measurement measure_rounds(Context& context) {
     figures.figures.push_back(
         {kind.name, fmt::format("{:.1f} % still approach after one round; {} rounds at most", 100.0 * part, most)});
   }
-  Measurement result = checks.measurement();
-  result.figures = figures.figures;
-  return result;
+  return checks.measurement(figures.figures);
 }
 
 }  // namespace

@@ -53,12 +53,10 @@ Measurement measure_closed_form(Context& context) {
   // The closed form for I_a is right, only its density is not. Same number, from the shipped formula.
   worst.see(std::fabs(context.produced(right.moments.axial) / volume - printed_closed_form) / 1e-6,
             [] { return "production's I_a over the published volume"; });
-  Measurement result = worst.measurement();
-  result.figures = {{"published volume V'", fmt::format("{:.7f} \"cm³\"", volume)},
-                    {"right volume", fmt::format("{:.7f} cm³", right.volume)},
-                    {"I_a/m with V'", fmt::format("{:.6f} cm², as printed", per_density / volume)},
-                    {"right I_a/m", fmt::format("{:.6f} cm²", right.moments_per_mass.axial)}};
-  return result;
+  return worst.measurement({{"published volume V'", fmt::format("{:.7f} \"cm³\"", volume)},
+                            {"right volume", fmt::format("{:.7f} cm³", right.volume)},
+                            {"I_a/m with V'", fmt::format("{:.6f} cm², as printed", per_density / volume)},
+                            {"right I_a/m", fmt::format("{:.6f} cm²", right.moments_per_mass.axial)}});
 }
 
 Measurement measure_dimensions(Context& context) {
@@ -70,10 +68,8 @@ Measurement measure_dimensions(Context& context) {
   Checks checks;
   checks["volume"].see(std::fabs(context.produced(right) - 8.0), [] { return "lengths doubled"; });
   see_choice(checks["V'"], growth < 4.0, [] { return "lengths doubled: it grows like an area at most"; });
-  Measurement result = checks.measurement();
-  result.figures = {{"V' grows by", fmt::format("{:.4f} when lengths double", growth)},
-                    {"a volume grows by", fmt::format("{:.4f}", right)}};
-  return result;
+  return checks.measurement({{"V' grows by", fmt::format("{:.4f} when lengths double", growth)},
+                             {"a volume grows by", fmt::format("{:.4f}", right)}});
 }
 
 /// The original program's grid sum, float and double where it had them.
@@ -122,11 +118,9 @@ Measurement measure_grid(Context& context) {
   see(sum.axial, printed_axial, "I_y");
   see(sum.transverse_z, printed_transverse, "I_z");
   see_choice(checks["nodes"], sum.nodes == 2176, [&] { return fmt::format("{}", sum.nodes); });
-  Measurement result = checks.measurement();
-  result.figures = {
-      {"grid sum", fmt::format("diag({:.6f}, {:.6f}, {:.6f}) cm²", sum.transverse_x, sum.axial, sum.transverse_z)},
-      {"nodes inside", fmt::format("{}", sum.nodes)}};
-  return result;
+  return checks.measurement(
+      {{"grid sum", fmt::format("diag({:.6f}, {:.6f}, {:.6f}) cm²", sum.transverse_x, sum.axial, sum.transverse_z)},
+       {"nodes inside", fmt::format("{}", sum.nodes)}});
 }
 
 Measurement measure_low(Context& context) {
@@ -146,14 +140,12 @@ Measurement measure_low(Context& context) {
   for (const double print : {printed_axial, printed_closed_form}) {
     checks["density"].see(std::fabs(print * density / axial - 1.0), 0.01, [&] { return fmt::format("{}", print); });
   }
-  Measurement result = checks.measurement();
-  result.figures = {
-      {"printed", fmt::format("diag({}, {}, {}) cm²", printed_transverse, printed_axial, printed_transverse)},
-      {"right", fmt::format("diag({0:.6f}, {1:.6f}, {0:.6f}) cm²", transverse, axial)},
-      {"printed I_a/m is low by", fmt::format("{:.1f} %", 100.0 * (1.0 - printed_axial / axial))},
-      {"the closed form's I_a/m is low by", fmt::format("{:.1f} %", 100.0 * (1.0 - printed_closed_form / axial))},
-      {"printed I_t/m is low by", fmt::format("{:.1f} %", 100.0 * (1.0 - printed_transverse / transverse))}};
-  return result;
+  return checks.measurement(
+      {{"printed", fmt::format("diag({}, {}, {}) cm²", printed_transverse, printed_axial, printed_transverse)},
+       {"right", fmt::format("diag({0:.6f}, {1:.6f}, {0:.6f}) cm²", transverse, axial)},
+       {"printed I_a/m is low by", fmt::format("{:.1f} %", 100.0 * (1.0 - printed_axial / axial))},
+       {"the closed form's I_a/m is low by", fmt::format("{:.1f} %", 100.0 * (1.0 - printed_closed_form / axial))},
+       {"printed I_t/m is low by", fmt::format("{:.1f} %", 100.0 * (1.0 - printed_transverse / transverse))}});
 }
 
 Measurement measure_bevel(Context& context) {
@@ -170,11 +162,10 @@ Measurement measure_bevel(Context& context) {
   // What is right touches the sphere from inside, r − r₂ = √(d² + r₁²), at height b/2.
   checks["tangency"].see(std::fabs((r - r2) - std::hypot(d, r1)), epsilon * r, [] { return "the sphere"; });
   checks["tangency"].see(std::fabs(-d + r * d / (r - r2) - 0.5), epsilon * r, [] { return "the joint's height"; });
-  Measurement result = checks.measurement();
-  result.figures = {{"published r₁, r₂", fmt::format("{:.4f} mm, {:.4f} mm", wrong.major_radius, wrong.minor_radius)},
-                    {"right r₁, r₂", fmt::format("{:.4f} mm, {:.4f} mm", r1, r2)},
-                    {"the published r₂ is off by", fmt::format("{:.4f} mm", wrong.minor_radius - r2)}};
-  return result;
+  return checks.measurement(
+      {{"published r₁, r₂", fmt::format("{:.4f} mm, {:.4f} mm", wrong.major_radius, wrong.minor_radius)},
+       {"right r₁, r₂", fmt::format("{:.4f} mm, {:.4f} mm", r1, r2)},
+       {"the published r₂ is off by", fmt::format("{:.4f} mm", wrong.minor_radius - r2)}});
 }
 
 Measurement measure_black(Context& context) {
@@ -184,12 +175,10 @@ Measurement measure_black(Context& context) {
   const double larger = context.produced(metres<double>(black.width) - metres<double>(white.width));
   Worst worst;
   worst.see(std::fabs(larger - 0.0003) / 1e-6, [] { return "how much wider black is"; });
-  Measurement result = worst.measurement();
   const auto mass = [](double w, double h) { return mass_properties(make_stone(w, h), Density{2750.0}).mass; };
-  result.figures = {{"black, 22.3 × 9.8 mm",
-                     fmt::format("{:.2f} g", 1e3 * mass(metres<double>(black.width), metres<double>(black.height)))},
-                    {"as published, 25 × 12.2 mm", fmt::format("{:.2f} g", 1e3 * mass(0.025, 0.0122))}};
-  return result;
+  return worst.measurement({{"black, 22.3 × 9.8 mm", fmt::format("{:.2f} g", 1e3 * mass(metres<double>(black.width),
+                                                                                        metres<double>(black.height)))},
+                            {"as published, 25 × 12.2 mm", fmt::format("{:.2f} g", 1e3 * mass(0.025, 0.0122))}});
 }
 
 }  // namespace

@@ -191,13 +191,6 @@ void see_boards(Context& context, Checks& checks, int count) {
   refused("no board", unset, here, T(1));
 }
 
-Measurement measure_boards(Context& context) {
-  Checks checks;
-  see_boards<double>(context, checks, context.samples(2000, 20'000));
-  see_boards<float>(context, checks, context.samples(2000, 20'000));
-  return checks.measurement();
-}
-
 // --- rays
 
 /// Of any size, and as oblong as it comes; one in eight nearly as great as T holds.
@@ -330,13 +323,6 @@ void see_board_rays(Context& context, Checks& checks, int count) {
   see_choice(checks["refusals"], !answer_of(FE_TONEAREST, across), [] { return "taken: an exit that overflows"; });
 }
 
-Measurement measure_board_rays(Context& context) {
-  Checks checks;
-  see_board_rays<double>(context, checks, context.samples(3000, 30'000));
-  see_board_rays<float>(context, checks, context.samples(3000, 30'000));
-  return checks.measurement();
-}
-
 }  // namespace
 
 std::vector<Claim> domain_board_claims() {
@@ -360,7 +346,7 @@ std::vector<Claim> domain_board_claims() {
                    {"board/board.hpp", "scalar::is_finite(height)", "true"},
                    {"board/board.hpp", "T(0) <= reach && scalar::is_finite(reach)", "true"},
                    {"board/board.hpp", "const int corner = n == 9 ? 2 : 3;", "const int corner = 3;"}},
-       .measure = measure_boards},
+       .measure = measure_both(see_boards<double>, see_boards<float>, 2000, 20'000)},
       {.id = "DOMAIN-10",
        .statement =
            "Rays at boards of any size, from any distance, along axes to the bit, with components next to nothing, "
@@ -380,7 +366,7 @@ std::vector<Claim> domain_board_claims() {
                    {"board/ray.hpp", "!(u_W[i] < T(0)) && !(T(0) < u_W[i])",
                     "!(u_W[i] < -std::numeric_limits<T>::min()) && !(std::numeric_limits<T>::min() < u_W[i])"},
                    {"board/ray.hpp", "result.p_W[first.axis] = first.high ? high[first.axis] : low[first.axis];", ""}},
-       .measure = measure_board_rays},
+       .measure = measure_both(see_board_rays<double>, see_board_rays<float>, 3000, 30'000)},
   };
 }
 

@@ -141,13 +141,6 @@ void see_stone_rays(Context& context, Checks& checks, int count) {
   }
 }
 
-Measurement measure_stone_rays(Context& context) {
-  Checks checks;
-  see_stone_rays<double>(context, checks, context.samples(1500, 9000));
-  see_stone_rays<float>(context, checks, context.samples(1500, 9000));
-  return checks.measurement();
-}
-
 }  // namespace
 
 std::vector<Claim> domain_ray_claims() {
@@ -177,7 +170,7 @@ std::vector<Claim> domain_ray_claims() {
                   none("refusals", "what is taken or refused and should not be")},
        .mutants = {{"shape/ray.hpp", "const T rest = -near.dot(u_B);", "const T rest(0);"},
                    {"shape/ray.hpp", "std::numeric_limits<T>::max() / T(4)", "std::numeric_limits<T>::infinity()"}},
-       .measure = measure_stone_rays},
+       .measure = measure_both(see_stone_rays<double>, see_stone_rays<float>, 1500, 9000)},
   };
 }
 

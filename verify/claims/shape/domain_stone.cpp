@@ -92,13 +92,6 @@ void see_stones(Context& context, Checks& checks, int count) {
   }
 }
 
-Measurement measure_stones(Context& context) {
-  Checks checks;
-  see_stones<double>(context, checks, context.samples(2000, 20'000));
-  see_stones<float>(context, checks, context.samples(2000, 20'000));
-  return checks.measurement();
-}
-
 template <class T>
 void see_masses(Context& context, Checks& checks, int count) {
   for (int i = 0; i < count; ++i) {
@@ -164,13 +157,6 @@ void see_tensors(Context& context, Checks& checks, int count) {
     const Digits50 off = (computed - exact).cwiseAbs().maxCoeff() / (trace + Digits50(std::numeric_limits<T>::min()));
     checks["tensor"].see(static_cast<double>(off), epsilon_of<T>, describe);
   }
-}
-
-Measurement measure_tensors(Context& context) {
-  Checks checks;
-  see_tensors<double>(context, checks, context.samples(1000, 10'000));
-  see_tensors<float>(context, checks, context.samples(1000, 10'000));
-  return checks.measurement();
 }
 
 template <class T>
@@ -245,13 +231,6 @@ void see_surfaces(Context& context, Checks& checks, int count) {
   }
 }
 
-Measurement measure_surfaces(Context& context) {
-  Checks checks;
-  see_surfaces<double>(context, checks, context.samples(2000, 20'000));
-  see_surfaces<float>(context, checks, context.samples(2000, 20'000));
-  return checks.measurement();
-}
-
 }  // namespace
 
 std::vector<Claim> domain_stone_claims() {
@@ -269,7 +248,7 @@ std::vector<Claim> domain_stone_claims() {
                   refusals},
        .mutants = {{"shape/stone.hpp", "require_length(\"sphere_radius\", stone.sphere_radius);", ""},
                    {"error.hpp", "least <= value && value <= most", "least <= value"}},
-       .measure = measure_stones},
+       .measure = measure_both(see_stones<double>, see_stones<float>, 2000, 20'000)},
       {.id = "DOMAIN-2",
        .statement = "Their mass, volume, area and moments are right, or refused where one of them is no normal number.",
        .function = "mass_properties",
@@ -294,7 +273,7 @@ std::vector<Claim> domain_stone_claims() {
                   refusals},
        .mutants = {{"rotation.hpp", "formula::reunited(q_WB).toRotationMatrix()", "q_WB.toRotationMatrix()"},
                    {"mass/tensor.hpp", "result.trace() < most", "true"}},
-       .measure = measure_tensors},
+       .measure = measure_both(see_tensors<double>, see_tensors<float>, 1000, 10'000)},
       {.id = "DOMAIN-4",
        .statement =
            "Distance, closest point and support of stones of any size: at the centre, on the axis, on the rim and in "
@@ -315,7 +294,7 @@ std::vector<Claim> domain_stone_claims() {
                   refusals},
        .mutants = {{"shape/surface.hpp", "std::numeric_limits<T>::max() / T(4)", "std::numeric_limits<T>::infinity()"},
                    {"shape/surface.hpp", "square < least_square<T>", "square < T(0)"}},
-       .measure = measure_surfaces},
+       .measure = measure_both(see_surfaces<double>, see_surfaces<float>, 2000, 20'000)},
   };
 }
 

@@ -1,0 +1,11 @@
+#pragma once
+/// \file
+/// What a stone and its mass properties cost. How far they are off the claims MASS say.
+
+#include "verify/bench/race.hpp"
+
+namespace goishi::verify::bench::mass {
+
+[[nodiscard]] Subject subject();
+
+}  // namespace goishi::verify::bench::mass
