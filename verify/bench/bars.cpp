@@ -40,8 +40,11 @@ constexpr PointBar point_bars[] = {{"flight", "one-by-one", 1024, 40},
                                    {"bevels", "double", 0, 500, 1e-12 * width},
                                    {"cores", "double", 0, 5000, 1e-12 * width},
                                    {"impact", "double", 0, 500},
-                                   {"drop-to-rest", "drop", 1e-6, 1.5e6, any, 4},
-                                   {"drop-to-rest", "drop", 1e-9, 4e6, 1e-7, 4},
+                                   {"drop-to-rest", "drop", 1e-4, 0.4e6, any, 4},
+                                   {"drop-to-rest", "drop", 1e-6, 1e6, any, 4},
+                                   {"drop-to-rest", "drop", 1e-9, 3e6, 1e-7, 4},
+                                   {"drop-state-at", "ordered", 0, 150},
+                                   {"drop-state-at", "mixed", 0, 250},
                                    {"drop-elastic", "drop", 0, 10e6},
                                    {"drop-impact-law", "chatterjee_ruina", 0, 50}};
 

@@ -147,6 +147,15 @@ struct Witnessed {
   return goishi::drop(pebble.stone, pebble.body, start, settings);
 }
 
+/// Dropped, up to a time or rest, and its motion kept.
+[[nodiscard]] inline Drop<double> moved(const Pebble& pebble, const State<double>& start,
+                                        const DropSettings<double>& settings, double until) {
+  Drop<double> motion(pebble.stone, pebble.body, start, settings);
+  motion.keep_motion();
+  motion.advance_to(until);
+  return motion;
+}
+
 /// The first event of a kind, or null.
 [[nodiscard]] inline const Event<double>* first_event(const DropResult<double>& dropped, EventKind kind) {
   for (const Event<double>& event : dropped.events) {

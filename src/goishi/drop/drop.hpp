@@ -112,6 +112,9 @@ class Drop {
     return earlier ? state_of(log_.at(time, side), time) : state_in_present(time);
   }
 
+  /// How many stretches of motion are kept.
+  [[nodiscard]] std::size_t kept() const { return log_.size(); }
+
   /// From when on the state can be told: without motion kept the present alone.
   [[nodiscard]] T motion_begin() const {
     return !log_.keeps() ? now_ : log_.empty() ? present_.begin : log_.begin();

@@ -281,13 +281,11 @@ class ContactIntegrator {
     const T shortest = shortest_step(run);
     for (bool tried = false;; tried = true) {
       const bool possible = equations.step(y, rate_, h, trial_);
-      T error = T(1e10);  // as far off as `step_factor` counts
-      if (possible) {
-        // A step that oversteps a whole feature meets smooth rates on either side of it; the energy shows it.
-        const T worst = balance_.defect(run, equations, trial_.y);
-        const T estimated = error_of(run, equations, h);
-        error = worst <= estimated ? estimated : worst;
-      }
+      // As far off as `step_factor` counts, where there is no such step.
+      const T estimated = possible ? error_of(run, equations, h) : T(1e10);
+      // A step that oversteps a whole feature meets smooth rates on either side of it; the energy shows it.
+      const T seen = possible ? balance_.defect(run, equations, trial_.y) : T(0);
+      const T error = seen <= estimated ? estimated : seen;
       const T suggested = step_factor(error, equations.order());
       // What has just been too long is not tried again at once.
       const T factor = tried && T(1) < suggested ? T(1) : suggested;

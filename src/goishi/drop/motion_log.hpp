@@ -37,6 +37,7 @@ class MotionLog {
   }
 
   [[nodiscard]] bool empty() const { return stretches_.empty(); }
+  [[nodiscard]] std::size_t size() const { return stretches_.size(); }
 
   /// When the first one that is still there begins.
   [[nodiscard]] const T& begin() const { return stretches_[first_].begin; }

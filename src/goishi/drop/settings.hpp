@@ -67,7 +67,8 @@ struct DropSettings {
   int maximum_steps = 2000000;  // of everything that is repeated, `DropCounters::work`; likewise
 
   // --- How exactly
-  /// Of a step of the contact phase, relative to the stone's own scales; where it ends up: claim DROP-29.
+  /// Of a step of the contact phase, relative to the stone's own scales; where it ends up: claims DROP-19, DROP-29. 1e-4
+  /// serves a game, 1e-6 most.
   T tolerance = detail::at_least(T(1e-9), T(1000) * std::numeric_limits<T>::epsilon());
   /// [m/s] Approach below which bounces are closed by a plastic impulse. 2e-6 √(w g): 9.3e-7. Where a stone of size 33
   /// dropped from 5 cm comes to rest depends on it by 1.6e-9 m in the median; by 1.4e-6 m at 1e-3 m/s (100 drops against

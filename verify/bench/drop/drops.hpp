@@ -26,7 +26,7 @@ struct Scene {
 };
 [[nodiscard]] std::shared_ptr<const Scene> make_scene(const Effort& effort);
 
-inline constexpr double reference_tolerance = 1e-11;  // of the runs that errors are taken against
+inline constexpr double reference_tolerance = 1e-12;  // of the runs that errors are taken against
 
 /// The median of f(value) over some.
 template <class Values, class F>

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <random>
 
 #include "verify/bench/drop/drops.hpp"
 #include "verify/report/number.hpp"
@@ -217,6 +219,34 @@ Race until_contact(const Effort& effort) {
            count, "drop", "to rest, tolerance 1e-9", [=](std::size_t i) { return scene->fall(i); }, impacts)});
 }
 
+/// Its state at times of the past, in any order and as they come.
+Race any_time(const Effort& effort) {
+  const auto scene = make_scene(effort);
+  constexpr std::size_t count = 4096;
+  DropSettings<double> settings;
+  settings.tolerance = 1e-6;
+  const auto motion = std::make_shared<Drop<double>>(scene->stone, scene->body, scene->starts.front(), settings);
+  motion->keep_motion();
+  motion->advance_to_rest();
+  std::vector<double> ordered(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    ordered[i] = motion->time() * static_cast<double>(i) / count;
+  }
+  std::vector<double> mixed = ordered;
+  std::mt19937_64 random(3);
+  std::ranges::shuffle(mixed, random);
+  const auto curve = [=](const char* name, const char* label, const std::vector<double>& times) {
+    return make_curve(
+        count, name, label, [=](std::size_t i) { return motion->state_at(times[i]); }, no_quantities);
+  };
+  Race race = make_race(fmt::format("One drop at tolerance 1e-6, {} stretches of motion kept.", motion->kept()), count, {},
+                        {curve("ordered", "times as they come", ordered), curve("mixed", "times in any order", mixed)});
+  race.cost = "run time of a state";
+  race.block = count / 16;
+  race.by_case = false;
+  return race;
+}
+
 }  // namespace
 
 std::vector<Problem> skipped_work() {
@@ -226,7 +256,8 @@ std::vector<Problem> skipped_work() {
           {"drop-woken", "A stone at rest, woken", woken_stone},
           {"drop-first-impact", "Drop to the first impact", made_once},
           {"drop-flat", "Flat drop to rest", flat_drop},
-          {"drop-until-contact", "A drop, until the contact lasts", until_contact}};
+          {"drop-until-contact", "A drop, until the contact lasts", until_contact},
+          {"drop-state-at", "The state of a drop at a time of its past", any_time}};
 }
 
 }  // namespace goishi::verify::bench::drops

@@ -57,7 +57,7 @@ Race to_rest(const Effort& effort) {
                      {"unanswered", ""}},
       .cases = count,
       .by_case = true};
-  const std::vector<double> few = {1e-6, 1e-9}, all = {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9};
+  const std::vector<double> few = {1e-4, 1e-6, 1e-9}, all = {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11};
   race.curves = {
       {.who = {"drop", "Goishi", "ours", Kind::tolerance, effort.thorough ? all : few}, .enter = [=](double tolerance) {
          return make_entry(

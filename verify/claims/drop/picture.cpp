@@ -18,26 +18,24 @@ struct Look3 {
   double height, tilt, energy;
 };
 
-Look3 seen_at(const Pebble& pebble, const State<double>& start, double time) {
-  DropSettings<double> settings;
-  settings.tolerance = 1e-7;
-  settings.horizon = time;
-  const DropResult<double> drop = goishi::drop(pebble.stone, pebble.body, start, settings);
-  const Witnessed seen = witnessed(pebble, drop.state);
-  return {drop.state.p_WB.z(), as_double(seen.tilt) / degree, as_double(seen.energy) * pebble.body.mass};
+Look3 seen_in(const Pebble& pebble, const State<double>& state) {
+  const Witnessed seen = witnessed(pebble, state);
+  return {state.p_WB.z(), as_double(seen.tilt) / degree, as_double(seen.energy) * pebble.body.mass};
 }
 
 Measurement measure_picture(Context& context) {
   const Pebble pebble = size_33(0.001);
   Worst worst;
   const State<double> start = draw_fall(context, pebble.body);
-  const DropResult<double> drop = dropped(pebble, start, 1e-9);
+  Drop<double> motion(pebble.stone, pebble.body, start);
+  motion.keep_motion();
+  const DropResult<double> drop = followed(motion);
   Series height{"height of the centre", {}}, tilt{"tilt", {}}, energy{"energy", {}};
   const int count = context.samples(120, 400);
   double last = std::numeric_limits<double>::infinity();
   for (int i = 1; i <= count; ++i) {
-    const double time = drop.time * static_cast<double>(i) / static_cast<double>(count);
-    const Look3 look = seen_at(pebble, start, time);
+    const double time = i == count ? drop.time : drop.time * i / count;
+    const Look3 look = seen_in(pebble, motion.state_at(time));
     height.points.emplace_back(time, 1e3 * look.height);
     tilt.points.emplace_back(time, look.tilt);
     energy.points.emplace_back(time, 1e6 * look.energy);

@@ -120,11 +120,12 @@ void see_decay(Context& context, Checks& checks, const Pebble& pebble, double ti
   const auto see = [&](double error, const char* check, const std::string& what = "") {
     checks[check].see(error, [&] { return fmt::format("{}from {:g} rad, δ = {:g} m", what, tilt, delta); });
   };
+  const Drop<double> motion = moved(pebble, start, settings, as_double(turns.back().time));
   for (const PlanarMotion& turn : turns) {
     if (&turn == &turns.back()) {
       break;
     }
-    const Tilt found = tilt_of(pebble, drop(pebble, start, settings, turn.time).state);
+    const Tilt found = tilt_of(pebble, motion.state_at(as_double(turn.time)));
     see(as_double(std::fabs(context.produced(found.angle) - turn.tilt)), "turns",
         fmt::format("at {} s, ", as_double(turn.time)));
     if (swings != nullptr) {

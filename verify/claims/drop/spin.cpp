@@ -20,7 +20,8 @@ namespace {
 double growth(const Pebble& pebble, double spin, double coefficient) {
   const DropSettings<double> settings = slip_proportional(coefficient, 1e-10);
   const State<double> start = spun(pebble, 1e-4, spin);
-  const auto tilt_at = [&](double time) { return witnessed(pebble, drop(pebble, start, settings, time).state).tilt; };
+  const Drop<double> motion = moved(pebble, start, settings, 20.0);
+  const auto tilt_at = [&](double time) { return witnessed(pebble, motion.state_at(time)).tilt; };
   return as_double(std::log(tilt_at(20.0) / tilt_at(10.0)) / 10);
 }
 
