@@ -2,7 +2,7 @@
 /// \file
 /// Symbols for a stone on its lower cap, per unit of mass, and for small motions about lying flat.
 
-#include <goishi/drop/contact_motion.hpp>
+#include <goishi/drop/equations/contact_motion.hpp>
 
 #include "contact.hpp"
 

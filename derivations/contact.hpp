@@ -2,7 +2,7 @@
 /// \file
 /// Symbols for a stone in contact with a plane: any axis, any momentum, any support function, any force.
 
-#include <goishi/drop/contact_motion.hpp>
+#include <goishi/drop/equations/contact_motion.hpp>
 #include <string>
 
 #include "impact.hpp"

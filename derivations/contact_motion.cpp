@@ -2,8 +2,8 @@
 /// A stone in contact with a plane: where it touches, how that point moves, what a force there does; energy,
 /// resistance, rolling; and the attitude that is carried along.
 
-#include <goishi/drop/carried.hpp>
-#include <goishi/drop/contact_motion.hpp>
+#include <goishi/drop/equations/carried.hpp>
+#include <goishi/drop/equations/contact_motion.hpp>
 #include <string>
 
 #include "contact.hpp"
@@ -19,7 +19,7 @@ void geometry(Document& document) {
 the farthest it reaches in the direction $n$, extended to all $n$ by $h(\lambda n) = \lambda h(n)$, touches a plane of
 normal $n$ in the point $\nabla h(n)$. For a body of revolution $h(n) = |n|\, S(-u \cdot n/|n|)$, and under it $n =
 -\hat z$. $S$ is any function: $S + S' x + S'' x^2/2$, differentiated where $x = 0$.)");
-  document.shipped("formula::contact_motion", "drop/contact_motion.hpp");
+  document.shipped("formula::contact_motion", "drop/equations/contact_motion.hpp");
   const Touching stone;
   const Vector to = letters("n");
   const ex size = sqrt(to.dot(to));
@@ -42,7 +42,7 @@ normal $n$ in the point $\nabla h(n)$. For a body of revolution $h(n) = |n|\, S(
     document.section(side == 1 ? "The lower cap" : "The upper cap");
     document.text(std::string("It is part of the sphere of radius $r$ about $") + (side == 1 ? "" : "-") +
                   R"(d u$, which touches the plane below its centre.)");
-    document.shipped("formula::cap_contact", "drop/contact_motion.hpp");
+    document.shipped("formula::cap_contact", "drop/equations/contact_motion.hpp");
     const Geometry cap = formula::cap_contact<ex>(shape.stone, side, eta, 1 - pow(eta, 2));
     const Vector u(stone.u.x(), stone.u.y(), eta);
     const Vector touched = side * shape.d * u - shape.r * up;
@@ -59,7 +59,7 @@ normal $n$ in the point $\nabla h(n)$. For a body of revolution $h(n) = |n|\, S(
       R"(A circle of radius $r_1$ across $u$, moved out by a ball of radius $r_2$. Its lowest point lies in the
 direction $-\hat z + \eta u$, of length $\rho = \sqrt{1 - \eta^2}$. With $\eta = 2k/(1 + k^2)$, $\rho = (1 - k^2)/(1 +
 k^2)$.)");
-  document.shipped("formula::rim_contact", "drop/contact_motion.hpp");
+  document.shipped("formula::rim_contact", "drop/equations/contact_motion.hpp");
   const possymbol k("k");
   const realsymbol c("c"), s("s");
   const ex axial = 2 * k / (1 + k * k), radial = (1 - k * k) / (1 + k * k);
@@ -83,7 +83,7 @@ void motion(Document& document, const Touching& stone) {
   document.text(
       R"(Per unit of mass. $J = I^{-1}$ has the inverse moments $1/I_t$ across the axis and $1/I_a$ along it. The axis
 is fixed in the body, $\dot u = \omega \times u$.)");
-  document.shipped("formula::contact_motion", "drop/contact_motion.hpp");
+  document.shipped("formula::contact_motion", "drop/equations/contact_motion.hpp");
   document.prove({.text = "the result holds the $u$ and $L$ that it was given",
                   .result = components(Vector(stone.now.u - 2 * stone.now.L)),
                   .witness = components(Vector(stone.u - 2 * stone.L))});
@@ -137,7 +137,7 @@ what the point is accelerated by without force and torque: $\mathrm{need} = -g -
       R"(The contact slips with $s = (s_x, s_y, 0)$, so that $v = s - \omega \times r$. Its acceleration is $a = W F +
 J\tau \times r - \mathrm{need}$, as just proved, and the energy $E$ the shipped kinetic one less $g \cdot p$, the
 centre at the height $S$.)");
-  document.shipped("formula::contact_kinetic_energy", "drop/contact_motion.hpp");
+  document.shipped("formula::contact_kinetic_energy", "drop/equations/contact_motion.hpp");
   const realsymbol sx("sx", "s_x"), sy("sy", "s_y");
   const Vector slip(sx, sy, 0);
   const ex kinetic = formula::contact_kinetic_energy<ex>(stone.now, sx, sy);
@@ -167,7 +167,7 @@ void resistance(Document& document) {
   document.text(
       R"(The torque per normal force for rolling resistance $\delta$ and pivot friction $\kappa$; $f$ is the floor
 under its root, $R^2 = \delta^2 |\omega_h|^2 + \kappa^2 \omega_z^2 + f$.)");
-  document.shipped("formula::resistance", "drop/contact_motion.hpp");
+  document.shipped("formula::resistance", "drop/equations/contact_motion.hpp");
   const possymbol delta("delta", R"(\delta)"), kappa("kappa", R"(\kappa)"), f("f");
   const Vector w = letters("w");
   const ex roll = pow(delta, 2) * (pow(w.x(), 2) + pow(w.y(), 2)), pivot = pow(kappa, 2) * pow(w.z(), 2);
@@ -204,7 +204,7 @@ void rolling(Document& document) {
   document.text(
       R"(The force that leaves the contact point at rest, where the resistance that goes with a normal force of 1
 gives it the acceleration $b = J\tau \times r$: $W F + b F_z - \mathrm{need} = 0$.)");
-  document.shipped("formula::rolling_force", "drop/contact_motion.hpp");
+  document.shipped("formula::rolling_force", "drop/equations/contact_motion.hpp");
   const Matrix both = M + b * up.transpose();
   document.prove({.text = R"($F = (W + b \hat z^\mathsf{T})^{-1}\, \mathrm{need}$)",
                   .result = components(formula::rolling_force(W, b, need)),
@@ -217,7 +217,7 @@ void carried(Document& document) {
       R"(It is carried with the axis by the shortest rotation from an axis $a$ to $u$, beyond which the body has
 turned by an angle $\psi$ about its axis: $q = \mathrm{shortest}(a, u)\, q_a\, (\cos\frac\psi2, \hat z
 \sin\frac\psi2)$, $q_a \hat z \bar q_a = a$.)");
-  document.shipped("formula::shortest_rotation", "drop/carried.hpp");
+  document.shipped("formula::shortest_rotation", "drop/equations/carried.hpp");
   const Vector a = letters("f"), u = letters("u"), w = letters("w");
   const Relations unit = Relations().unit(a).unit(u);
   const possymbol D("D");
@@ -248,7 +248,7 @@ turned by an angle $\psi$ about its axis: $q = \mathrm{shortest}(a, u)\, q_a\, (
         {components(turned(conjugated(shortest), a)), components(turned(shortest, u))});
   prove("about an axis across $a$, so that it is the shortest", Vector(shortest.vec()).dot(a), 0,
         {Vector(shortest.vec()).dot(w)});
-  document.shipped("formula::carried_spin_rate", "drop/carried.hpp");
+  document.shipped("formula::carried_spin_rate", "drop/equations/carried.hpp");
   document.text(
       R"(The angular velocity of $q$ is $\omega_q$ with $\dot q \bar q = \frac12 (0, \omega_q)$. With $p$ for the
 shortest rotation and $e$ for the turn by $\psi$, $\dot q \bar q = \dot p \bar p + p q_a \dot e \bar e \bar q_a \bar

@@ -2,14 +2,14 @@
 /// The equations of the contact phase: the rates of its variables, the ledger of its energy, damping, what a contact's
 /// impulses do, and the bounds and slopes of the resistance.
 
-#include <goishi/drop/carried.hpp>
-#include <goishi/drop/contact_motion.hpp>
-#include <goishi/drop/flight_phase.hpp>
-#include <goishi/drop/kinetics.hpp>
-#include <goishi/drop/resisting.hpp>
-#include <goishi/drop/rest.hpp>
-#include <goishi/drop/slip.hpp>
-#include <goishi/drop/statics.hpp>
+#include <goishi/drop/equations/carried.hpp>
+#include <goishi/drop/equations/contact_motion.hpp>
+#include <goishi/drop/equations/kinetics.hpp>
+#include <goishi/drop/equations/resisting.hpp>
+#include <goishi/drop/equations/slip.hpp>
+#include <goishi/drop/phases/flight_phase.hpp>
+#include <goishi/drop/rest/rest.hpp>
+#include <goishi/drop/rest/statics.hpp>
 
 #include "contact.hpp"
 
@@ -26,7 +26,7 @@ void axis(Document& document) {
   document.text(
       R"(The integration lets the length of the axis drift, and takes it back before anything is asked of it: $a = (1 +
 \epsilon) u$, $|u| = 1$.)");
-  document.shipped("formula::reunited_axis", "drop/kinetics.hpp");
+  document.shipped("formula::reunited_axis", "drop/equations/kinetics.hpp");
   const realsymbol epsilon("epsilon", R"(\epsilon)");
   const Vector u = letters("u");
   const ex result = components(formula::reunited_axis<ex>(Vector((1 + epsilon) * u)));
@@ -59,7 +59,7 @@ void rates(Document& document, const Moved& stone) {
       R"(As in the chapter *A stone in contact with a plane*, with a force $F$ at the contact point, which slips with
 $s$, and the torque $N\tau$ of the resistance that goes with the normal force $N = F_z$. The two momenta may be damped
 at the rate $c$: $\dot v = F + g - c v$, $\dot L = r \times F + N\tau - c L$.)");
-  document.shipped("formula::contact_rates", "drop/kinetics.hpp");
+  document.shipped("formula::contact_rates", "drop/equations/kinetics.hpp");
   const ex u_rate = components(stone.three(at::u)), L_rate = components(stone.three(at::L));
   document.prove(
       {.text = R"($\dot u = \omega \times u$)", .result = u_rate, .witness = components(stone.there(stone.u_rate))});
@@ -80,13 +80,13 @@ at the rate $c$: $\dot v = F + g - c v$, $\dot L = r \times F + N\tau - c L$.)")
                   .result = stone.rates[at::slip] + stone.rates[at::direction],
                   .witness = 0,
                   .controls = {1}});
-  document.shipped("formula::centre_velocity", "drop/contact_motion.hpp");
+  document.shipped("formula::centre_velocity", "drop/equations/contact_motion.hpp");
   const Vector centre = formula::centre_velocity<ex>(stone.now, sx, sy);
   const ex moves = components(stone.there(Vector(centre + stone.now.point)));
   document.prove({.text = R"(with this $v$, $v + \omega \times r$ is the slip $(s_x, s_y, 0)$)",
                   .result = moves,
                   .witness = components(stone.slip)});
-  document.shipped("formula::carried_attitude", "drop/carried.hpp");
+  document.shipped("formula::carried_attitude", "drop/equations/carried.hpp");
   const Quaternion first = quaternion_letters("q");
   const realsymbol psi("psi", R"(\psi)");
   const Vector a = letters("b");
@@ -103,7 +103,7 @@ at the rate $c$: $\dot v = F + g - c v$, $\dot L = r \times F + N\tau - c L$.)")
 
 void ledger(Document& document, const Moved& stone) {
   document.section("Damping");
-  document.shipped("formula::damping_power", "drop/kinetics.hpp");
+  document.shipped("formula::damping_power", "drop/equations/kinetics.hpp");
   document.prove({.text = R"($c v$ and $c L$ take $c\,(|v|^2 + \omega \cdot L)$)",
                   .result = stone.there(stone.damped),
                   .witness = stone.there(c * (stone.centre.dot(stone.centre) + stone.w.dot(stone.L))),
@@ -111,7 +111,7 @@ void ledger(Document& document, const Moved& stone) {
   document.text(
       R"(The contact point's acceleration under all of it, by the chain rule: $\dot v + \frac{\mathrm{d}}{\mathrm{d}t}
 (\omega \times r)$ with $\omega = J(u) L$ and $r(u)$.)");
-  document.shipped("formula::damped", "drop/slip.hpp");
+  document.shipped("formula::damped", "drop/equations/slip.hpp");
   const Vector turning = stone.w.cross(stone.r());
   const Vector acceleration =
       stone.F + stone.g - stone.there(Vector(c * stone.centre)) + stone.rate(turning, stone.u_rate, stone.L_rate);
@@ -126,7 +126,7 @@ void ledger(Document& document, const Moved& stone) {
        .controls = scaled(damped)});
 
   document.section("The ledger of the energy");
-  document.shipped("formula::contact_energy", "drop/contact_motion.hpp");
+  document.shipped("formula::contact_energy", "drop/equations/contact_motion.hpp");
   const ex kinetic = formula::contact_kinetic_energy<ex>(stone.now, sx, sy);
   const ex energy = formula::contact_energy<ex>(stone.now, stone.g, stone.x, stone.y, kinetic);
   document.prove({.text = R"($E = \frac12 |v|^2 + \frac12 \omega \cdot L - g \cdot (x, y, S)$)",
@@ -134,7 +134,7 @@ void ledger(Document& document, const Moved& stone) {
                   .witness = stone.there((stone.centre.dot(stone.centre) + stone.w.dot(stone.L)) / 2 -
                                          stone.g.dot(Vector(stone.x, stone.y, stone.geometry.height))),
                   .controls = scaled(stone.there(energy))});
-  document.shipped("formula::slowing", "drop/contact_motion.hpp");
+  document.shipped("formula::slowing", "drop/equations/contact_motion.hpp");
   const possymbol taken("taken", "t"), whole("whole", "K");
   const ex factor = formula::slowing<ex>(taken, whole);
   const possymbol slower("s");
@@ -163,7 +163,7 @@ void impulses(Document& document, const Moved& stone) {
   document.text(
       R"(An impulse $F$ on the contact point and one of torque $\tau$ beside it, per unit of mass: $v$ becomes $v + F$,
 $L$ becomes $L + r \times F + \tau$. Any motion before: $v$ and $\omega = J L$.)");
-  document.shipped("formula::contact_gain", "drop/contact_motion.hpp");
+  document.shipped("formula::contact_gain", "drop/equations/contact_motion.hpp");
   const Vector &F = stone.F, &tau = stone.tau, v = letters("v");
   const auto at_once = [&](const Vector& force, const Vector& torque) {
     return formula::contact_gain<ex>(stone.mobility, stone.now, force, torque);
@@ -177,7 +177,7 @@ $L$ becomes $L + r \times F + \tau$. Any motion before: $v$ and $\omega = J L$.)
                   .result = point,
                   .witness = components(Vector(F + stone.J(change).cross(r))),
                   .controls = scaled(point)});
-  document.shipped("formula::contact_work", "drop/contact_motion.hpp");
+  document.shipped("formula::contact_work", "drop/equations/contact_motion.hpp");
   const goishi::ContactGain<ex> before{Vector(v + stone.w.cross(r)), stone.w};
   const auto energy = [&](const Vector& velocity, const Vector& momentum) {
     return (velocity.dot(velocity) + momentum.dot(stone.J(momentum))) / 2;
@@ -203,7 +203,7 @@ void resistance(Document& document) {
   document.text(
       R"($\tau$ is the torque per normal force of the chapter *A stone in contact with a plane*, $R$ the root in it,
 $R^2 = \delta^2 |\omega_h|^2 + \kappa^2 \omega_z^2 + f$.)");
-  document.shipped("formula::resistance_slope", "drop/resisting.hpp");
+  document.shipped("formula::resistance_slope", "drop/equations/resisting.hpp");
   const possymbol f("f"), R("R");
   const Vector w = letters("w"), dw = letters("x");
   const ex square = pow(delta, 2) * (pow(w.x(), 2) + pow(w.y(), 2)) + pow(kappa, 2) * pow(w.z(), 2);
@@ -220,7 +220,7 @@ $R^2 = \delta^2 |\omega_h|^2 + \kappa^2 \omega_z^2 + f$.)");
   document.prove({.text = R"(it is $\sum_i \frac{\partial\tau}{\partial\omega_i}\, \mathrm{d}\omega_i$)",
                   .result = slope,
                   .witness = with_root(moved)});
-  document.shipped("formula::parts_along", "drop/resisting.hpp");
+  document.shipped("formula::parts_along", "drop/equations/resisting.hpp");
   const Vector a = letters("f"), b = letters("k"), d = letters("w"), v = letters("v");
   const Vector parts = formula::parts_along<ex>(a, b, d, v);
   const ex sum = components(Vector(parts.x() * a + parts.y() * b + parts.z() * d));
@@ -228,7 +228,7 @@ $R^2 = \delta^2 |\omega_h|^2 + \kappa^2 \omega_z^2 + f$.)");
       {.text = "$x_1 a + x_2 b + x_3 c = v$", .result = sum, .witness = components(v), .controls = scaled(sum)});
 
   document.section("What resistance can bear");
-  document.shipped("formula::resistance_share", "drop/statics.hpp");
+  document.shipped("formula::resistance_share", "drop/rest/statics.hpp");
   const possymbol N("N");
   const Vector n = letters("n"), t = letters("t");
   const ex share = formula::resistance_share<ex>(n, t, N, delta, kappa);
@@ -250,7 +250,7 @@ $R^2 = \delta^2 |\omega_h|^2 + \kappa^2 \omega_z^2 + f$.)");
                   .result = formula::resistance_share<ex>(up, Vector(N * delta, 0, 0), N, delta, kappa),
                   .witness = 1,
                   .controls = {-1, formula::resistance_share<ex>(up, Vector(N * delta, 0, 0), N, kappa, delta)}});
-  document.shipped("formula::resistance_lever", "drop/rest.hpp");
+  document.shipped("formula::resistance_lever", "drop/rest/rest.hpp");
   const ex roll = pow(w.x(), 2) + pow(w.y(), 2), pivot = pow(w.z(), 2);
   const ex lever = pow(formula::resistance_lever<ex>(delta, kappa, roll, pivot), 2);
   document.prove(
@@ -269,7 +269,7 @@ void bounces(Document& document) {
   document.text(
       R"(A stone that leaves the plane with $v$ is back after $2v/g$ and leaves it with $e v$. So the time $T(v)$ of all
 its bounces has $T(v) = 2v/g + T(e v)$, and is in proportion to $v$.)");
-  document.shipped("formula::bounces_time", "drop/flight_phase.hpp");
+  document.shipped("formula::bounces_time", "drop/phases/flight_phase.hpp");
   const possymbol v("v"), g("g"), e("e");
   const ex all = formula::bounces_time<ex>(v, g, e);
   document.prove({.text = "$T(v) - T(e v) = 2v/g$", .result = all, .witness = 2 * v / g, .view = [&](const ex& form) {

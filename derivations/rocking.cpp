@@ -1,8 +1,8 @@
 /// \file
 /// A stone that rocks on its cap: its frequency, its energy at any tilt, and its decay.
 
-#include <goishi/drop/contact_motion.hpp>
-#include <goishi/drop/slip.hpp>
+#include <goishi/drop/equations/contact_motion.hpp>
+#include <goishi/drop/equations/slip.hpp>
 #include <string>
 
 #include "cap.hpp"
@@ -17,7 +17,8 @@ void small_rocking(Document& document, const SmallMotion& small) {
       R"(Small motions about lying flat on the lower cap: $u = (\epsilon x, \epsilon y, 1)$, $L = (\epsilon l_x,
 \epsilon l_y, 0)$, all to the first order in $\epsilon$, $X = x + iy$ and $l = l_x + i l_y$. Per unit of mass, $a = r
 - d$.)");
-  document.shipped("formula::contact_motion, rolling_force, glide_rate", "drop/contact_motion.hpp, drop/slip.hpp");
+  document.shipped("formula::contact_motion, rolling_force, glide_rate",
+                   "drop/equations/contact_motion.hpp, drop/equations/slip.hpp");
   const Motion now = small.at(0);
   const ex axis = small.first_order(now.u_rate);
   document.prove({.text = R"($\dot X = -i l/I_t$)", .result = axis, .witness = -GiNaC::I * small.l / transverse});
@@ -43,7 +44,7 @@ void large_rocking(Document& document) {
       R"(Rocking in a plane at the tilt $\theta$ with the rate $\dot\theta$: $u = (\sin\theta, 0, \cos\theta)$, $L =
 (0, I_t\dot\theta, 0)$. Half-angle tangent. The kinetic energies, from which with $g S$ the period follows by a
 quadrature:)");
-  document.shipped("formula::contact_kinetic_energy", "drop/contact_motion.hpp");
+  document.shipped("formula::contact_kinetic_energy", "drop/equations/contact_motion.hpp");
   const possymbol t("t");
   const realsymbol rate("theta'", R"(\dot\theta)");
   const ex z = (1 - t * t) / (1 + t * t), across = 2 * t / (1 + t * t);

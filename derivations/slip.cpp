@@ -2,7 +2,7 @@
 /// A stone that slips on a plane: dry friction, the laws that are smooth in the slip, and where sliding has an answer
 /// by hand.
 
-#include <goishi/drop/slip.hpp>
+#include <goishi/drop/equations/slip.hpp>
 #include <string>
 
 #include "contact.hpp"
@@ -19,7 +19,7 @@ void laws(Document& document) {
 $b = J\tau \times r$ is what the resistance of a normal force 1, its torque $\tau$, does to the contact point
 (chapter *A stone in contact with a plane*, as are $W$ and $\mathrm{need}$). Then $\dot s = N(W q + b) -
 \mathrm{need}$, and along the slip and across it $\dot s$ is $\dot\sigma$ and $\sigma\dot\varphi$.)");
-  document.shipped("formula::slip_rate", "drop/slip.hpp");
+  document.shipped("formula::slip_rate", "drop/equations/slip.hpp");
   const realsymbol c("c"), s("s");
   const Vector gained = M * Vector(-mu * c, -mu * s, 1) + b;
   const goishi::SlipRate<ex> dry = formula::slip_rate<ex>(W, b, need, mu, c, s);
@@ -40,7 +40,7 @@ $b = J\tau \times r$ is what the resistance of a normal force 1, its torque $\ta
 
   document.section("Friction that is smooth in the slip");
   document.text(R"($F = N q$, $q = (-k s_x, -k s_y, 1)$.)");
-  document.shipped("formula::glide_rate", "drop/slip.hpp");
+  document.shipped("formula::glide_rate", "drop/equations/slip.hpp");
   const possymbol k("k");
   const realsymbol sx("sx", "s_x"), sy("sy", "s_y");
   const goishi::GlideRate<ex> smooth = formula::glide_rate<ex>(W, b, need, k, sx, sy);
@@ -59,7 +59,7 @@ $b = J\tau \times r$ is what the resistance of a normal force 1, its torque $\ta
                   .witness = dry.along,
                   .meaning = {{sx, c / k * mu}, {sy, s / k * mu}},
                   .controls = scaled(smooth.x * c + smooth.y * s)});
-  document.shipped("formula::patch_friction", "drop/slip.hpp");
+  document.shipped("formula::patch_friction", "drop/equations/slip.hpp");
   const possymbol patch("p"), creep("e"), sigma("sigma", R"(\sigma)"), spin("W", R"(\omega_z)");
   const ex law = formula::patch_friction<ex>(mu, patch, spin, pow(sigma, 2), pow(creep, 2));
   const ex turned = pow(patch * spin, 2) + pow(creep, 2);
@@ -78,7 +78,7 @@ void slopes(Document& document) {
   const Vector b = letters_xyz("b"), need = letters_xyz(R"(\mathrm{need})");
   const realsymbol sx("sx", "s_x"), sy("sy", "s_y"), c("c");
   document.section("The force of friction");
-  document.shipped("formula::friction_force", "drop/slip.hpp");
+  document.shipped("formula::friction_force", "drop/equations/slip.hpp");
   const possymbol N("N"), drag("D");
   const ex force = components(formula::friction_force<ex>(N, drag, sx, sy));
   document.prove({.text = "it is $-D (s_x, s_y, 0)$ and the normal force",
@@ -89,7 +89,7 @@ void slopes(Document& document) {
   document.text(
       R"(Friction per normal force is $k s$, and damping takes $c s$ of $\dot s$. With $k = \mu/R$, $R^2 = |s|^2 + f$, the
 slope of $k s$ is $k (1 - s s^\mathsf{T}/R^2)$; $f$ does not depend on the slip. A constant $k$ has no such part.)");
-  document.shipped("formula::glide_slope", "drop/slip.hpp");
+  document.shipped("formula::glide_slope", "drop/equations/slip.hpp");
   const possymbol k("k"), f("f"), R("R");
   const auto prove = [&](const std::string& law, const ex& by_slip, const ex& there, const ex& share,
                          const auto& in_letters) {

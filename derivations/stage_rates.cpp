@@ -1,7 +1,7 @@
 /// \file
 /// The rates of a contact at the inner stages of a step, in their own form: no matrix, few divisions.
 
-#include <goishi/drop/stage_rates.hpp>
+#include <goishi/drop/equations/stage_rates.hpp>
 #include <string>
 
 #include "contact.hpp"
@@ -27,7 +27,7 @@ void motion(Document& document) {
       R"(The same motion as in the chapter *A stone in contact with a plane*, of a stone with any height $S$, slope $S'$
 and curvature $S''$ of its support function. $\nu = (\delta^2 \omega_h, \kappa^2 \omega_z)$, $\rho = \sqrt{\nu \cdot
 \omega + \mathrm{floor}}$: the torque of resistance that goes with a normal force of 1 is $\tau = -\nu/\rho$.)");
-  document.shipped("formula::stage_motion", "drop/stage_rates.hpp");
+  document.shipped("formula::stage_motion", "drop/equations/stage_rates.hpp");
   const possymbol delta("delta", R"(\delta)"), kappa("kappa", R"(\kappa)"), floor("f");
   const realsymbol S("S"), slope("S'"), curvature("S''");
   const Vector u = letters("u"), L = letters("L"), g = letters("g");
@@ -63,8 +63,8 @@ and curvature $S''$ of its support function. $\nu = (\delta^2 \omega_h, \kappa^2
 struct Stage {
   Vector u = letters("u"), L = letters("L"), need = letters("n"), nu = letters("v"), x = letters("x");
   realsymbol slope{"S'"}, height{"S"}, k{"k"};
-  Vector r = Vector(-slope * u.x(), -slope * u.y(), -height);
-  Vector across = Vector(k * u.y(), -k * u.x(), 0);
+  Vector r = Vector(-slope * u.x(), -slope* u.y(), -height);
+  Vector across = Vector(k * u.y(), -k* u.x(), 0);
   ex square = r.dot(r), across_square = across.dot(across);
   StageMotion<ex> motion = [this] {
     StageMotion<ex> made;
@@ -104,17 +104,16 @@ void matrix(Document& document, const Stage& stage) {
   document.prove({.text = R"($W = \lambda\,\mathbb{1} - r r^\mathsf{T}/I_t + (1/I_a - 1/I_t)\, c c^\mathsf{T}$)",
                   .result = components(Vector(full(formula::contact_matrix(mobility, u, r)) * q)),
                   .witness = components(Vector(l * q - B * r.dot(q) * r + C * across.dot(q) * across))});
-  document.shipped("formula::stage_solution", "drop/stage_rates.hpp");
+  document.shipped("formula::stage_solution", "drop/equations/stage_rates.hpp");
   const Vector solved = formula::stage_solution<ex>(mobility, stage.motion, q);
   const auto spelt = [&](const ex& form) { return stage.spelt(form); };
   document.prove({.text = R"($W\, W^{-1} q = q$)",
                   .result = components(Vector(stage.W * solved)),
                   .witness = stage.spelt(components(q)),
                   .view = spelt});
-  document.shipped("formula::stage_stiffness", "drop/stage_rates.hpp");
-  document.prove({.text = "$W_{zz}$",
-                  .result = formula::stage_stiffness<ex>(mobility, stage.motion),
-                  .witness = stage.W(2, 2)});
+  document.shipped("formula::stage_stiffness", "drop/equations/stage_rates.hpp");
+  document.prove(
+      {.text = "$W_{zz}$", .result = formula::stage_stiffness<ex>(mobility, stage.motion), .witness = stage.W(2, 2)});
 }
 
 void rolling(Document& document, const Stage& stage) {
@@ -122,7 +121,7 @@ void rolling(Document& document, const Stage& stage) {
   document.text(
       R"($b = J\tau \times r = -(J\nu \times r)/\rho$ is what the resistance of a normal force 1 does to the contact
 point. With $N = M\rho$ the force has to be $F = W^{-1}(\mathrm{need} + M\, J\nu \times r)$, $F_z = N$.)");
-  document.shipped("formula::stage_room", "drop/stage_rates.hpp");
+  document.shipped("formula::stage_room", "drop/equations/stage_rates.hpp");
   const ex room = formula::stage_room<ex>(stage.motion);
   const auto solution = [&](const Vector& q) { return formula::stage_solution<ex>(mobility, stage.motion, q); };
   const auto spelt = [&](const ex& form) { return stage.spelt(form); };
@@ -130,7 +129,7 @@ point. With $N = M\rho$ the force has to be $F = W^{-1}(\mathrm{need} + M\, J\nu
                   .result = room,
                   .witness = stage.spelt(lambda * rho * (1 + solution(stage.b).z())),
                   .view = spelt});
-  document.shipped("formula::stage_weight", "drop/stage_rates.hpp");
+  document.shipped("formula::stage_weight", "drop/equations/stage_rates.hpp");
   const ex weight = formula::stage_weight<ex>(mobility, stage.motion);
   document.prove({.text = R"($\lambda\,\hat z \cdot W^{-1} \mathrm{need}$)",
                   .result = weight,
@@ -146,14 +145,13 @@ point. With $N = M\rho$ the force has to be $F = W^{-1}(\mathrm{need} + M\, J\nu
                   .result = components(Vector(stage.W * force + M * rho * stage.b)),
                   .witness = stage.spelt(components(stage.need)),
                   .view = spelt});
-  document.shipped("formula::stage_rolling", "drop/stage_rates.hpp");
+  document.shipped("formula::stage_rolling", "drop/equations/stage_rates.hpp");
   const possymbol damping("h");
   const Vector origin = letters("o");
   const auto rolled = formula::stage_rolling<ex>(mobility, stage.motion, damping, origin);
   const ex ratio = weight / room;
-  const auto made = formula::stage_rates<ex>(mobility, stage.motion, damping,
-                                             solution(Vector(stage.need + ratio * stage.motion.braked)), ratio, 0, 0,
-                                             origin);
+  const auto made = formula::stage_rates<ex>(
+      mobility, stage.motion, damping, solution(Vector(stage.need + ratio * stage.motion.braked)), ratio, 0, 0, origin);
   ex result = 0, witness = 0;
   for (std::size_t i = 0; i < rolled.size(); ++i) {
     const realsymbol part("p" + std::to_string(i));
@@ -171,7 +169,7 @@ void rates(Document& document, const Stage& stage) {
   document.text(
       R"(Those of the chapter on the contact phase under any force $F$, $F_z = M\rho$, with the torque $\tau =
 -\nu/\rho$ of resistance.)");
-  document.shipped("formula::stage_rates", "drop/stage_rates.hpp");
+  document.shipped("formula::stage_rates", "drop/equations/stage_rates.hpp");
   const possymbol M("M"), damping("h");
   const realsymbol sx("sx", "s_x"), sy("sy", "s_y"), fx("Fx", "F_x"), fy("Fy", "F_y");
   const Vector origin = letters("o"), F(fx, fy, M * rho);
@@ -189,9 +187,9 @@ void rates(Document& document, const Stage& stage) {
   const auto whole = formula::contact_rates<ex>(kinetics, damping, damped, F, sx, sy, origin);
   const auto lean = formula::stage_rates<ex>(mobility, stage.motion, damping, F, M, sx, sy, origin);
   const std::vector<std::pair<std::size_t, std::string>> names = {
-      {at::u, R"($\dot u_x$)"},   {at::u + 1, R"($\dot u_y$)"},  {at::u + 2, R"($\dot u_z$)"}, {at::x, R"($\dot x$)"},
-      {at::y, R"($\dot y$)"},     {at::loss, "what is lost"},    {at::L, R"($\dot L_x$)"},     {at::L + 1, R"($\dot L_y$)"},
-      {at::L + 2, R"($\dot L_z$)"}};
+      {at::u, R"($\dot u_x$)"}, {at::u + 1, R"($\dot u_y$)"}, {at::u + 2, R"($\dot u_z$)"},
+      {at::x, R"($\dot x$)"},   {at::y, R"($\dot y$)"},       {at::loss, "what is lost"},
+      {at::L, R"($\dot L_x$)"}, {at::L + 1, R"($\dot L_y$)"}, {at::L + 2, R"($\dot L_z$)"}};
   for (const auto& [which, name] : names) {
     document.prove({.text = name, .result = lean[which], .witness = whole[which]});
   }
@@ -205,7 +203,7 @@ void rates(Document& document, const Stage& stage) {
 
 void sliding(Document& document, const Stage& stage) {
   document.section("Dry slip");
-  document.shipped("formula::stage_slip", "drop/stage_rates.hpp");
+  document.shipped("formula::stage_slip", "drop/equations/stage_rates.hpp");
   // Letters for all that it is made of: r, c, need and the brake b.
   const Vector r = letters("r"), across(realsymbol("cx", "c_x"), realsymbol("cy", "c_y"), 0), b = letters_xyz("b");
   StageMotion<ex> motion;
@@ -229,13 +227,13 @@ void sliding(Document& document, const Stage& stage) {
                     .view = [&, fraction](const ex& form) { return (form * fraction.op(1)).normal(); },
                     .controls = scaled(result)});
   };
-  document.prove({.text = "$D$, the denominator of the normal force", .result = lean.denominator,
-                  .witness = whole.denominator});
+  document.prove(
+      {.text = "$D$, the denominator of the normal force", .result = lean.denominator, .witness = whole.denominator});
   prove("$N$", lean.N, whole.N);
   prove(R"($\dot\sigma$)", lean.along, whole.along);
   prove(R"($\sigma\dot\varphi$)", lean.across, whole.across);
   prove(R"($\frac{\mathrm{d}}{\mathrm{d}\varphi}(\sigma\dot\varphi)$)", lean.across_slope, whole.across_slope);
-  document.shipped("formula::stage_sliding", "drop/stage_rates.hpp");
+  document.shipped("formula::stage_sliding", "drop/equations/stage_rates.hpp");
   const possymbol damping("h"), sigma("sigma", R"(\sigma)"), N("N");
   const Vector origin = letters("o");
   goishi::SlipRate<ex> slip;

@@ -1,8 +1,8 @@
 /// \file
 /// A stone that spins on its cap: Jellett's integral, and why it rises where it spins fast enough.
 
-#include <goishi/drop/contact_motion.hpp>
-#include <goishi/drop/slip.hpp>
+#include <goishi/drop/equations/contact_motion.hpp>
+#include <goishi/drop/equations/slip.hpp>
 #include <goishi/mass/inertia.hpp>
 #include <goishi/motion/invariants.hpp>
 #include <goishi/shape/lens.hpp>
@@ -61,7 +61,7 @@ void threshold(Document& document) {
   document.text(
       R"(Lying flat and spinning at $\Omega$, disturbed a little: $L = (\epsilon l_x, \epsilon l_y, I_a\Omega)$, slip
 $\epsilon(s_x, s_y)$, and friction $-k N s$. To the first order, in complex numbers, $a = r - d$:)");
-  document.shipped("formula::contact_motion, glide_rate", "drop/contact_motion.hpp, drop/slip.hpp");
+  document.shipped("formula::contact_motion, glide_rate", "drop/equations/contact_motion.hpp, drop/equations/slip.hpp");
   const SmallMotion small;
   const realsymbol spin("Omega", R"(\Omega)");
   const possymbol k("k");

@@ -7,14 +7,14 @@
 #include <goishi/contact/flight_path.hpp>
 #include <goishi/contact/pair_closed.hpp>
 #include <goishi/contact/rim_rim.hpp>
-#include <goishi/drop/carried.hpp>
-#include <goishi/drop/contact_motion.hpp>
-#include <goishi/drop/flight_phase.hpp>
-#include <goishi/drop/kinetics.hpp>
-#include <goishi/drop/resisting.hpp>
-#include <goishi/drop/rest.hpp>
-#include <goishi/drop/slip.hpp>
-#include <goishi/drop/statics.hpp>
+#include <goishi/drop/equations/carried.hpp>
+#include <goishi/drop/equations/contact_motion.hpp>
+#include <goishi/drop/equations/kinetics.hpp>
+#include <goishi/drop/equations/resisting.hpp>
+#include <goishi/drop/equations/slip.hpp>
+#include <goishi/drop/phases/flight_phase.hpp>
+#include <goishi/drop/rest/rest.hpp>
+#include <goishi/drop/rest/statics.hpp>
 #include <goishi/impact/contact_matrix.hpp>
 
 #include "tests/scalar_archetype.hpp"

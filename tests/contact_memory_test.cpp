@@ -4,11 +4,11 @@
 
 #include <goishi/board/ray.hpp>
 #include <goishi/contact/batch_plane.hpp>
-#include <goishi/contact/separating_axis.hpp>
 #include <goishi/contact/stone_board.hpp>
 #include <goishi/contact/stone_plane.hpp>
 #include <goishi/contact/stone_stone.hpp>
 #include <goishi/contact/time_of_impact.hpp>
+#include <goishi/published/separating_axis.hpp>
 #include <goishi/shape/ray.hpp>
 #include <random>
 #include <vector>

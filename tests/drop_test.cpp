@@ -113,7 +113,7 @@ TEST(Drop, RestGoesOnUntilGravityMovesIt) {
   EXPECT_EQ(on_slope(0.0).status, DropStatus::rest);
   EXPECT_EQ(on_slope(0.0).counters.steps_accepted, steps);
   EXPECT_EQ(on_slope(0.005).status, DropStatus::rest);  // within δ/(r − d)
-  const DropResult<double> slid = on_slope(0.5);              // beyond atan μ
+  const DropResult<double> slid = on_slope(0.5);        // beyond atan μ
   EXPECT_EQ(slid.status, DropStatus::moving);
   EXPECT_GT(slid.state.p_WB.x(), 0.1);
 }

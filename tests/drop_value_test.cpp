@@ -15,7 +15,8 @@ namespace goishi::drop_test {
 
 namespace {
 
-constexpr double unbounded = std::numeric_limits<double>::infinity(), no_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double unbounded = std::numeric_limits<double>::infinity(),
+                 no_number = std::numeric_limits<double>::quiet_NaN();
 
 /// At the tolerance of a game.
 Thrown rough() {
@@ -309,8 +310,14 @@ TEST(DropValue, RefusesWhatIsNot) {
   }
   EXPECT_NE(refused([&] { drop.advance(0.1, {}, 0); }).find("budget = 0"), std::string::npos);
   EXPECT_NE(refused([&] { drop.advance_to_rest({}, -1); }).find("budget = -1"), std::string::npos);
-  EXPECT_NE(refused([&] { drop.apply_impulse({no_number, 0.0, 0.0}, {0.0, 0.0, 0.0}); }).find("p_W"), std::string::npos);
-  EXPECT_NE(refused([&] { drop.apply_impulse({0.0, 0.0, 0.0}, {0.0, unbounded, 0.0}); }).find("P_W"), std::string::npos);
+  EXPECT_NE(refused([&] {
+              drop.apply_impulse({no_number, 0.0, 0.0}, {0.0, 0.0, 0.0});
+            }).find("p_W"),
+            std::string::npos);
+  EXPECT_NE(refused([&] {
+              drop.apply_impulse({0.0, 0.0, 0.0}, {0.0, unbounded, 0.0});
+            }).find("P_W"),
+            std::string::npos);
   EXPECT_EQ(drop.time(), 0.1);
   const auto asked = [&](double time) { return refused([&] { static_cast<void>(drop.state_at(time)); }); };
   EXPECT_EQ(asked(0.05), "time = 0.05: has no motion kept, which there is from 0.1");

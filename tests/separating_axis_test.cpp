@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <goishi/contact/separating_axis.hpp>
 #include <goishi/contact/stone_board.hpp>
+#include <goishi/published/separating_axis.hpp>
 #include <numbers>
 
 #include "tests/contact_test.hpp"

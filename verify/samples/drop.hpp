@@ -141,8 +141,8 @@ struct Witnessed {
   return set_on_cap(pebble, leaning(tilt), {0.0, 0.0, spin}, {0.0, 0.0, 0.0});
 }
 
-[[nodiscard]] inline DropResult<double> drop(const Pebble& pebble, const State<double>& start, DropSettings<double> settings,
-                                       Long horizon) {
+[[nodiscard]] inline DropResult<double> drop(const Pebble& pebble, const State<double>& start,
+                                             DropSettings<double> settings, Long horizon) {
   settings.horizon = static_cast<double>(horizon);
   return goishi::drop(pebble.stone, pebble.body, start, settings);
 }

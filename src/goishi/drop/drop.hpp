@@ -4,13 +4,13 @@
 /// event. There is no time step in the air.
 
 #include <goishi/contact/time_of_impact.hpp>
-#include <goishi/drop/contact_phase.hpp>
 #include <goishi/drop/events.hpp>
-#include <goishi/drop/flight_phase.hpp>
-#include <goishi/drop/motion_log.hpp>
-#include <goishi/drop/run.hpp>
+#include <goishi/drop/motion/motion_log.hpp>
+#include <goishi/drop/motion/stretch.hpp>
+#include <goishi/drop/phases/contact_phase.hpp>
+#include <goishi/drop/phases/flight_phase.hpp>
+#include <goishi/drop/phases/run.hpp>
 #include <goishi/drop/settings.hpp>
-#include <goishi/drop/stretch.hpp>
 #include <limits>
 #include <optional>
 
@@ -67,7 +67,8 @@ class Drop {
   /// The same up to a time. (In many calls, sums of `dt` have a round-off of their own.)
   /// Domain  a finite time, not before `time()`.
   DropStatus advance_to(const T& time, EventSink<T> sink = {}, std::optional<int> budget = {}) {
-    require(now_ <= time && scalar::is_finite(time), "time", time, "must be finite, and not before the present, ", now_);
+    require(now_ <= time && scalar::is_finite(time), "time", time, "must be finite, and not before the present, ",
+            now_);
     return go(time, false, sink, budget);
   }
 
@@ -82,8 +83,8 @@ class Drop {
   [[nodiscard]] State<T> state() const { return state_in_present(now_); }
   [[nodiscard]] DropStatus status() const { return status_; }
   [[nodiscard]] Ground ground() const { return run_.ground; }
-  [[nodiscard]] const T& depth() const { return run_.depth; }             // [m] of `start_inside`
-  [[nodiscard]] bool lower_order() const { return run_.lower_order; }     // an edge, a side or two places were passed
+  [[nodiscard]] const T& depth() const { return run_.depth; }          // [m] of `start_inside`
+  [[nodiscard]] bool lower_order() const { return run_.lower_order; }  // an edge, a side or two places were passed
   [[nodiscard]] const DropCounters& counters() const { return run_.counters; }
   [[nodiscard]] T energy() const { return formula::energy(state(), run_.body, run_.settings.gravity); }  // [J]
   [[nodiscard]] const Stone<T>& stone() const { return run_.stone; }
@@ -116,9 +117,7 @@ class Drop {
   [[nodiscard]] std::size_t kept() const { return log_.size(); }
 
   /// From when on the state can be told: without motion kept the present alone.
-  [[nodiscard]] T motion_begin() const {
-    return !log_.keeps() ? now_ : log_.empty() ? present_.begin : log_.begin();
-  }
+  [[nodiscard]] T motion_begin() const { return !log_.keeps() ? now_ : log_.empty() ? present_.begin : log_.begin(); }
 
   // --- what is done to it
 
@@ -225,7 +224,7 @@ class Drop {
       if (!planned_) {
         const DropCounters& now = run_.counters;
         const std::optional<DropStatus> limit =
-            stage_ == Stage::over ? std::nullopt
+            stage_ == Stage::over                                             ? std::nullopt
             : run_.settings.maximum_impacts <= now.impacts - at_first.impacts ? std::optional(DropStatus::moving)
             : run_.settings.maximum_events <= now.events - at_first.events ? std::optional(DropStatus::too_many_events)
             : budget <= now.work() - at_first.work()                       ? std::optional(DropStatus::too_many_steps)
@@ -312,8 +311,8 @@ class Drop {
   bool begun_ = false;    // and was told
   bool planned_ = false;  // a stretch, up to
   T end_ = T(0);
-  T now_ = T(0);                  // <= end_
-  detail::Stretch<T> present_;    // that `now_` is in
+  T now_ = T(0);                // <= end_
+  detail::Stretch<T> present_;  // that `now_` is in
   DropStatus status_ = DropStatus::moving;
   detail::MotionLog<T> log_;
 };

@@ -31,8 +31,9 @@ enum class EventKind {
 };
 
 [[nodiscard]] constexpr std::string_view to_string(EventKind kind) {
-  constexpr std::string_view names[] = {"start", "impact",   "bounces close", "contact", "stick", "slip",  "feature",
-                                        "jam",   "lift-off", "board edge",    "side",    "rest",  "woken", "push",    "end"};
+  constexpr std::string_view names[] = {"start", "impact",  "bounces close", "contact",  "stick",
+                                        "slip",  "feature", "jam",           "lift-off", "board edge",
+                                        "side",  "rest",    "woken",         "push",     "end"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -88,9 +89,9 @@ struct DropCounters {
   int separations = 0;          // normals those searches needed
   int contact_evaluations = 0;  // of the equations of the contact phase
   int steps_accepted = 0;
-  int steps_rejected = 0;  // by the error control
+  int steps_rejected = 0;       // by the error control
   int evaluations_located = 0;  // along a step, to find the event in it
-  int edge_impacts = 0;    // micro-impacts of the scheme of lower order
+  int edge_impacts = 0;         // micro-impacts of the scheme of lower order
   int events = 0;
 
   /// All that is repeated, which `DropSettings::maximum_steps` bounds: a step of a search for an impact, and an evaluation
@@ -107,15 +108,13 @@ class EventSink {
  public:
   EventSink() = default;
   EventSink(std::vector<Event<T>>& events)  // NOLINT(google-explicit-constructor): an argument
-      : to_(&events), call_([](void* to, const Event<T>& event) {
-          static_cast<std::vector<Event<T>>*>(to)->push_back(event);
-        }) {}
+      : to_(&events),
+        call_([](void* to, const Event<T>& event) { static_cast<std::vector<Event<T>>*>(to)->push_back(event); }) {}
   template <std::invocable<const Event<T>&> F>
-    requires(!std::same_as<std::remove_cvref_t<F>, EventSink>)
-  EventSink(F&& function)  // NOLINT(google-explicit-constructor,bugprone-forwarding-reference-overload): likewise
-      : to_(const_cast<void*>(static_cast<const void*>(&function))), call_([](void* to, const Event<T>& event) {
-          (*static_cast<std::remove_reference_t<F>*>(to))(event);
-        }) {}
+  requires(!std::same_as<std::remove_cvref_t<F>, EventSink>)
+      EventSink(F&& function)  // NOLINT(google-explicit-constructor,bugprone-forwarding-reference-overload): likewise
+      : to_(const_cast<void*>(static_cast<const void*>(&function))),
+        call_([](void* to, const Event<T>& event) { (*static_cast<std::remove_reference_t<F>*>(to))(event); }) {}
 
   explicit operator bool() const { return call_ != nullptr; }
   void operator()(const Event<T>& event) const { call_(to_, event); }

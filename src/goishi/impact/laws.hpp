@@ -4,8 +4,8 @@
 /// symmetric in the two bodies; a fixed one is a body that does not answer.
 
 #include <goishi/impact/chatterjee_ruina.hpp>
-#include <goishi/impact/published.hpp>
 #include <goishi/impact/stronge.hpp>
+#include <goishi/published/impact_law.hpp>
 
 namespace goishi {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <goishi/contact/separating_axis.hpp>
+#include <goishi/published/separating_axis.hpp>
 #include <limits>
 
 #include "verify/bench/contact/contact.hpp"

@@ -140,18 +140,17 @@ Race woken_stone(const Effort& effort) {
     }
     return std::vector<double>{1.0 * evaluations, 1.0 * steps};
   };
-  return make_race(
-      "The greatest counts over all stones.", count, {{"evaluations in contact", ""}, {"steps", ""}},
-      {make_curve(
-           count, "woken", "at rest again",
-           [=](std::size_t i) {
-             Drop<double> again = rested[i];
-             again.change(DropSettings<double>{});
-             return followed(again);
-           },
-           greatest),
-       make_curve(
-           count, "drop", "its whole drop", [=](std::size_t i) { return scene->fall(i); }, greatest)});
+  return make_race("The greatest counts over all stones.", count, {{"evaluations in contact", ""}, {"steps", ""}},
+                   {make_curve(
+                        count, "woken", "at rest again",
+                        [=](std::size_t i) {
+                          Drop<double> again = rested[i];
+                          again.change(DropSettings<double>{});
+                          return followed(again);
+                        },
+                        greatest),
+                    make_curve(
+                        count, "drop", "its whole drop", [=](std::size_t i) { return scene->fall(i); }, greatest)});
 }
 
 /// Mass properties once per size.
@@ -239,8 +238,9 @@ Race any_time(const Effort& effort) {
     return make_curve(
         count, name, label, [=](std::size_t i) { return motion->state_at(times[i]); }, no_quantities);
   };
-  Race race = make_race(fmt::format("One drop at tolerance 1e-6, {} stretches of motion kept.", motion->kept()), count, {},
-                        {curve("ordered", "times as they come", ordered), curve("mixed", "times in any order", mixed)});
+  Race race =
+      make_race(fmt::format("One drop at tolerance 1e-6, {} stretches of motion kept.", motion->kept()), count, {},
+                {curve("ordered", "times as they come", ordered), curve("mixed", "times in any order", mixed)});
   race.cost = "run time of a state";
   race.block = count / 16;
   race.by_case = false;

@@ -30,8 +30,8 @@ std::vector<double> judge_rest(const std::vector<DropResult<double>>& ends, cons
                            &DropCounters::steps_rejected, &DropCounters::impacts}) {
     values.push_back(median_of(ends, [&](const DropResult<double>& end) { return end.counters.*count; }));
   }
-  values.push_back(static_cast<double>(
-      std::count_if(ends.begin(), ends.end(), [](const DropResult<double>& end) { return end.status != DropStatus::rest; })));
+  values.push_back(static_cast<double>(std::count_if(
+      ends.begin(), ends.end(), [](const DropResult<double>& end) { return end.status != DropStatus::rest; })));
   return values;
 }
 

@@ -87,9 +87,9 @@ std::vector<Claim> drop_odeint_claims() {
                   within("attitude", 1e-10, "rad", "the same; measured 2026-11-30 with 12 seeds: up to 1.3e-11"),
                   within("momentum", 5e-11, "relative", "the same; measured 2026-11-30 with 12 seeds: up to 5.6e-12"),
                   none("faults", "faults")},
-       .mutants = {{"drop/contact_motion.hpp", "along * gyration.x()", "along * gyration.y()"},
-                   {"drop/slip.hpp", "rate.across = a_y * c - a_x * s;", "rate.across = a_y * c;"},
-                   {"drop/kinetics.hpp", "T(moment.y() + N * k.torque.y()", "T(moment.y() + k.torque.y()"}},
+       .mutants = {{"drop/equations/contact_motion.hpp", "along * gyration.x()", "along * gyration.y()"},
+                   {"drop/equations/slip.hpp", "rate.across = a_y * c - a_x * s;", "rate.across = a_y * c;"},
+                   {"drop/equations/kinetics.hpp", "T(moment.y() + N * k.torque.y()", "T(moment.y() + k.torque.y()"}},
        .measure = measure_contact}};
 }
 

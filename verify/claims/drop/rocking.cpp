@@ -39,7 +39,8 @@ State<double> let_go(const Pebble& pebble, double tilt) {
 /// it is so.
 Long dropped_period(const Pebble& pebble, Footing footing, double tilt, Long expected, double tolerance) {
   const double friction = footing == Footing::rolling ? no_slip : 0.0;
-  const DropResult<double> dropped = drop(pebble, let_go(pebble, tilt), lossless(friction, tolerance), 9 * expected / 4);
+  const DropResult<double> dropped =
+      drop(pebble, let_go(pebble, tilt), lossless(friction, tolerance), 9 * expected / 4);
   const Tilt then = tilt_of(pebble, dropped.state);
   return (static_cast<Long>(dropped.time) - then.angle / then.rate) * 4 / 9;
 }
@@ -220,12 +221,15 @@ std::vector<Claim> drop_rocking_claims() {
        .checks = {within("period", 5e-12, "of the period, times the tilt [rad]",
                          "tolerance 1e-12 in the tilt; measured 2026-11-30 with 26 seeds: up to 4.8e-13"),
                   within("as printed", 0.5e-4, "Hz", "half a unit of the last digit that is printed")},
-       .mutants = {{"drop/contact_motion.hpp", ".slope = T(-(side * stone.sphere_offset))",
+       .mutants = {{"drop/equations/contact_motion.hpp", ".slope = T(-(side * stone.sphere_offset))",
                     ".slope = T(-(T(1000001) / T(1000000) * side * stone.sphere_offset))"},
-                   {"drop/contact_motion.hpp", ".curvature = T(-(over / (radial * radial)))", ".curvature = T(-over)"},
-                   {"drop/contact_motion.hpp", "along * gyration.x() + swept.x()", "along * gyration.x() - swept.x()"},
-                   {"drop/contact_motion.hpp", "along * gyration.z() + swept.z()", "along * gyration.z() - swept.z()"},
-                   {"drop/rolling.hpp", "return radial - (axial < T(0)",
+                   {"drop/equations/contact_motion.hpp", ".curvature = T(-(over / (radial * radial)))",
+                    ".curvature = T(-over)"},
+                   {"drop/equations/contact_motion.hpp", "along * gyration.x() + swept.x()",
+                    "along * gyration.x() - swept.x()"},
+                   {"drop/equations/contact_motion.hpp", "along * gyration.z() + swept.z()",
+                    "along * gyration.z() - swept.z()"},
+                   {"drop/equations/rolling.hpp", "return radial - (axial < T(0)",
                     "return T(1000001) / T(1000000) * radial - (axial < T(0)"}},
        .measure = measure_periods},
       {.id = "DROP-6",
@@ -243,13 +247,13 @@ std::vector<Claim> drop_rocking_claims() {
                          "the last stretch ends where the rate, which falls slowly, is zero; measured 2026-11-30 "
                          "with 100 seeds: 7.8e-10 once, else up to 1.1e-10"),
                   none("faults", "faults")},
-       .mutants = {{"drop/contact_motion.hpp", "const T roll = delta_square / root",
+       .mutants = {{"drop/equations/contact_motion.hpp", "const T roll = delta_square / root",
                     "const T roll = T(1000001) / T(1000000) * delta_square / root"},
-                   {"drop/contact_motion.hpp", "const T xz = W.xz + brake.x()", "const T xz = W.xz"},
-                   {"drop/contact_motion.hpp", "zz = W.zz + brake.z();", "zz = W.zz - brake.z();"},
-                   {"drop/statics.hpp", "const T roll = T(1) / (normal * delta)",
+                   {"drop/equations/contact_motion.hpp", "const T xz = W.xz + brake.x()", "const T xz = W.xz"},
+                   {"drop/equations/contact_motion.hpp", "zz = W.zz + brake.z();", "zz = W.zz - brake.z();"},
+                   {"drop/rest/statics.hpp", "const T roll = T(1) / (normal * delta)",
                     "const T roll = T(1) / (T(2) * normal * delta)"},
-                   {"drop/integrator.hpp", "T(T(2) * energy / taken)", "T(T(1) * energy / taken)"}},
+                   {"drop/steps/integrator.hpp", "T(T(2) * energy / taken)", "T(T(1) * energy / taken)"}},
        .measure = measure_decay},
       {.id = "DROP-16",
        .statement = "The talk's exponential damping takes both momenta down at its rate c: rocking by the equation in "
@@ -264,11 +268,13 @@ std::vector<Claim> drop_rocking_claims() {
                          "the integral of that; measured 2026-11-30 with 12 seeds: up to 1.0e-13"),
                   within("slide", 2e-14, "m/s", "as the spin; measured 2026-11-30 with 12 seeds: up to 4.2e-15"),
                   none("faults", "faults")},
-       .mutants = {{"drop/kinetics.hpp", "- damping * k.L.y()", "+ damping * k.L.y()"},
-                   {"drop/kinetics.hpp", "- damping * k.L.z()", "- T(1000001) / T(1000000) * damping * k.L.z()"},
-                   {"drop/gliding.hpp", "formula::damped(slip.x, body_.damping, s_x)",
+       .mutants = {{"drop/equations/kinetics.hpp", "- damping * k.L.y()", "+ damping * k.L.y()"},
+                   {"drop/equations/kinetics.hpp", "- damping * k.L.z()",
+                    "- T(1000001) / T(1000000) * damping * k.L.z()"},
+                   {"drop/equations/gliding.hpp", "formula::damped(slip.x, body_.damping, s_x)",
                     "formula::damped(slip.x, T(T(2) * body_.damping), s_x)"},
-                   {"drop/contact_motion.hpp", "now.spin_rate = (mobility.transverse + mobility.axial) * momentum",
+                   {"drop/equations/contact_motion.hpp",
+                    "now.spin_rate = (mobility.transverse + mobility.axial) * momentum",
                     "now.spin_rate = mobility.axial * momentum"}},
        .measure = measure_damping},
   };

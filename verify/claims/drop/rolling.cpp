@@ -118,7 +118,7 @@ struct Disc {
     return radius * Vec3<double>(u.z() * u - Vec3<double>(0.0, 0.0, 1.0)).normalized();
   }
   [[nodiscard]] DropResult<double> rolled(const Quat<double>& q, const Vec3<double>& p, const Vec3<double>& w,
-                                    double time) const {
+                                          double time) const {
     DropSettings<double> settings = lossless(no_slip, tight);
     settings.gravity = {0.0, 0.0, -9.81};
     settings.horizon = time;
@@ -218,10 +218,11 @@ std::vector<Claim> drop_rolling_claims() {
                          "the integration takes what energy is off out of the velocities: this says that it does, "
                          "and no more; measured 2026-11-30 with 25 seeds: up to 2.9e-16",
                          epsilon)},
-       .mutants = {{"drop/contact_motion.hpp", "along * gyration.y() + swept.y()", "along * gyration.y() - swept.y()"},
-                   {"drop/contact_motion.hpp", "along * gyration.x() + swept.x()",
+       .mutants = {{"drop/equations/contact_motion.hpp", "along * gyration.y() + swept.y()",
+                    "along * gyration.y() - swept.y()"},
+                   {"drop/equations/contact_motion.hpp", "along * gyration.x() + swept.x()",
                     "T(1000001) / T(1000000) * along * gyration.x() + swept.x()"},
-                   {"drop/contact_motion.hpp", "const T p = need.y() * zz - yz * need.z()",
+                   {"drop/equations/contact_motion.hpp", "const T p = need.y() * zz - yz * need.z()",
                     "const T p = need.y() * zz + yz * need.z()"},
                    {"impact/contact_matrix.hpp", "T(cx * c.y() - t * (r_W.x() * r_W.y()))",
                     "T(cx * c.y() + t * (r_W.x() * r_W.y()))"}},
@@ -237,12 +238,13 @@ std::vector<Claim> drop_rolling_claims() {
                   within("place", 2e-13, "relative", "the same; measured 2026-11-30 with 25 seeds: up to 4.1e-14"),
                   within("velocity", 2e-13, "relative", "the same; measured 2026-11-30 with 25 seeds: up to 4.0e-14"),
                   within("as published", 1e-14, "relative", "the last of its 15 digits"), none("faults", "faults")},
-       .mutants = {{"drop/slip.hpp", "const T p_x = W.xz + brake.x() - mu",
+       .mutants = {{"drop/equations/slip.hpp", "const T p_x = W.xz + brake.x() - mu",
                     "const T p_x = W.xz + brake.x() - T(1000001) / T(1000000) * mu"},
-                   {"drop/slip.hpp", "mu * (W.xy * c + W.yy * s)", "mu * (W.xy * c + T(2) * W.yy * s)"},
-                   {"drop/contact_motion.hpp", "return {T(s_x - now.point.x())",
+                   {"drop/equations/slip.hpp", "mu * (W.xy * c + W.yy * s)", "mu * (W.xy * c + T(2) * W.yy * s)"},
+                   {"drop/equations/contact_motion.hpp", "return {T(s_x - now.point.x())",
                     "return {T(T(1000001) / T(1000000) * s_x - now.point.x())"},
-                   {"drop/contact_motion.hpp", "return {T(s_x - now.point.x())", "return {T(s_x + now.point.x())"}},
+                   {"drop/equations/contact_motion.hpp", "return {T(s_x - now.point.x())",
+                    "return {T(s_x + now.point.x())"}},
        .measure = measure_ball},
       {.id = "DROP-13",
        .statement = "A coin that rolls on its edge, leaning by 1°, is after 0.5 s where it was published to be.",
@@ -253,10 +255,11 @@ std::vector<Claim> drop_rolling_claims() {
                    .bound = 5e-13,
                    .reason =
                        "some hundred steps of tolerance 1e-12; measured 2026-11-30 with 23 seeds: up to 3.2e-14"}},
-       .mutants = {{"drop/contact_motion.hpp", ".slope = T(-(over * eta))",
+       .mutants = {{"drop/equations/contact_motion.hpp", ".slope = T(-(over * eta))",
                     ".slope = T(-(T(1000001) / T(1000000) * over * eta))"},
-                   {"drop/contact_motion.hpp", "turn * u.x() + geometry.slope", "turn * u.x() - geometry.slope"},
-                   {"drop/contact_motion.hpp", "const Vec3<T> gyration = formula::cross(now.u_rate, now.r)",
+                   {"drop/equations/contact_motion.hpp", "turn * u.x() + geometry.slope",
+                    "turn * u.x() - geometry.slope"},
+                   {"drop/equations/contact_motion.hpp", "const Vec3<T> gyration = formula::cross(now.u_rate, now.r)",
                     "const Vec3<T> gyration = formula::cross(now.r, now.u_rate)"}},
        .measure = measure_coin},
       {.id = "DROP-14",
@@ -274,10 +277,11 @@ std::vector<Claim> drop_rolling_claims() {
                   within("phase", 1e-12, "of the angle turned",
                          "some hundred steps of tolerance 1e-12; measured 2026-11-30 with 25 seeds: up to 1.5e-13"),
                   none("faults", "faults")},
-       .mutants = {{"drop/contact_motion.hpp", "T(-(turn * u.y() + geometry.slope * now.u_rate.y()))",
+       .mutants = {{"drop/equations/contact_motion.hpp", "T(-(turn * u.y() + geometry.slope * now.u_rate.y()))",
                     "T(-(turn * u.y()))"},
-                   {"drop/carried.hpp", "return spin_rate + formula::dot(a", "return spin_rate - formula::dot(a"},
-                   {"drop/contact_motion.hpp", "W.xx * p - need.x() * m_y + xz * s",
+                   {"drop/equations/carried.hpp", "return spin_rate + formula::dot(a",
+                    "return spin_rate - formula::dot(a"},
+                   {"drop/equations/contact_motion.hpp", "W.xx * p - need.x() * m_y + xz * s",
                     "W.xx * p - need.x() * m_y - xz * s"}},
        .measure = measure_euler_disc},
   };

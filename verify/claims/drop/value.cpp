@@ -6,7 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <goishi/drop/stage_rates.hpp>
+#include <goishi/drop/equations/stage_rates.hpp>
 
 #include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
@@ -107,8 +107,8 @@ Measurement measure_cuts(Context& context) {
       checks["cuts"].see(same ? 0.0 : 1.0, [&] { return fmt::format("drop {} in {} pieces", i, pieces); });
     }
   }
-  return checks.measurement({{"pieces", fmt::format("{}", pieces_in_all)},
-                             {"copies that were gone back to", fmt::format("{}", copies)}});
+  return checks.measurement(
+      {{"pieces", fmt::format("{}", pieces_in_all)}, {"copies that were gone back to", fmt::format("{}", copies)}});
 }
 
 // --- DROP-33
@@ -184,8 +184,8 @@ Measurement measure_any_time(Context& context) {
         const Vec3<double> slope = (seen_at(time + h).p_WB - seen_at(time - h).p_WB) / (2.0 * h);
         const Vec3<double> bend = (seen_at(time + h).v_WB - 2.0 * seen_at(time).v_WB + seen_at(time - h).v_WB) / 6.0;
         const double speed = std::sqrt(g_earth * kept.stone().width / 2.0);
-        checks["derivative"].see((slope - bend - seen_at(time).v_WB).norm() / speed,
-                                 1e-10 + 30.0 * tolerance, told(time));
+        checks["derivative"].see((slope - bend - seen_at(time).v_WB).norm() / speed, 1e-10 + 30.0 * tolerance,
+                                 told(time));
       }
     }
     for (const Event<double>& event : events) {
@@ -217,14 +217,16 @@ Measurement measure_stages(Context& context) {
     const Vec3<double> u = draw_attitude(context.random()) * Vec3<double>::UnitZ();
     const Feature feature = i % 3 == 0 ? Feature::rim : u.z() > 0.0 ? Feature::lower_cap : Feature::upper_cap;
     const Vec3<double> L = per_mass.transverse * 30.0 * (draw_attitude(context.random()) * Vec3<double>::UnitX());
-    const double sigma = context.uniform(0.0, 0.3), phi = context.uniform(-3.0, 3.0), c = std::cos(phi), s = std::sin(phi);
+    const double sigma = context.uniform(0.0, 0.3), phi = context.uniform(-3.0, 3.0), c = std::cos(phi),
+                 s = std::sin(phi);
     detail::Variables<double> y = {u.x(), u.y(), u.z(), 0.1, 0.2, 0.3, 0.0, L.x(), L.y(), L.z(), sigma, phi};
     const Vec3<double> origin = (u + Vec3<double>(0.1, 0.2, -0.1)).normalized();
     const detail::Kinetics<double> now = detail::kinetics(body, feature, y);
     const StageMotion<double> stage = detail::stage_motion(body, feature, y);
     const auto see = [&](const detail::Variables<double>& lean, const detail::Variables<double>& whole,
                          const char* name) {
-      for (const auto& [from, count] : {std::pair{at::u, 3U}, {at::x, 2U}, {at::spin, 1U}, {at::loss, 1U}, {at::L, 3U}}) {
+      for (const auto& [from, count] :
+           {std::pair{at::u, 3U}, {at::x, 2U}, {at::spin, 1U}, {at::loss, 1U}, {at::L, 3U}}) {
         double off = 0.0, size = 0.0;
         for (std::size_t k = from; k < from + count; ++k) {
           off += std::pow(context.produced(lean[k]) - whole[k], 2);
@@ -232,8 +234,9 @@ Measurement measure_stages(Context& context) {
         }
         // Of the angular momentum's rate, and of what is lost, what their parts are is much more than their sum.
         const double weight = 9.8 * (from == at::L ? stone.width : from == at::loss ? 0.1 + stone.width : 1.0);
-        checks[name].see(std::sqrt(off) / (std::sqrt(size) + weight),
-                         [&] { return fmt::format("axis ({:a}, {:a}, {:a}), variable {}", u.x(), u.y(), u.z(), from); });
+        checks[name].see(std::sqrt(off) / (std::sqrt(size) + weight), [&] {
+          return fmt::format("axis ({:a}, {:a}, {:a}), variable {}", u.x(), u.y(), u.z(), from);
+        });
       }
     };
     if (0.0 < formula::stage_room(stage) && 0.0 < formula::stage_weight(body.mobility, stage)) {
@@ -272,7 +275,7 @@ std::vector<Claim> drop_value_claims() {
        .oracle = "the same drop in one piece",
        .checks = {none("cuts", "drops that differ")},
        .mutants = {{"drop/drop.hpp", "now_ = !ends ? until", "now_ = run_.time = !ends ? until"},
-                   {"drop/integrator.hpp", "T h = longest < step_ ? longest : step_;",
+                   {"drop/steps/integrator.hpp", "T h = longest < step_ ? longest : step_;",
                     "T h = longest < step_ ? longest : step_ + T(0) * T(++run.counters.impacts);"}},
        .measure = measure_cuts},
       {.id = "DROP-33",
@@ -302,8 +305,8 @@ std::vector<Claim> drop_value_claims() {
                   within("events", 10.0, "ulp of the width, and of where it is",
                          "the stretch ends where the event is, by some roundings; measured 2026-11-30 with 12 seeds: "
                          "1.2 to 2.8")},
-       .mutants = {{"drop/runge_kutta.hpp", "result.c[5][i] = b;", "result.c[5][i] = T(-1) * b;"},
-                   {"drop/stretch.hpp", "T(t / touching->length)", "T(t / (T(1.0001) * touching->length))"}},
+       .mutants = {{"drop/steps/runge_kutta.hpp", "result.c[5][i] = b;", "result.c[5][i] = T(-1) * b;"},
+                   {"drop/motion/stretch.hpp", "T(t / touching->length)", "T(t / (T(1.0001) * touching->length))"}},
        .measure = measure_any_time},
       {.id = "DROP-34",
        .statement = "At the inner stages of a step the rates are those of the equations, in another form.",
@@ -314,8 +317,9 @@ std::vector<Claim> drop_value_claims() {
                          "some roundings; measured 2026-11-30 with 12 seeds: 3.2e-16 to 1.3e-15"),
                   within("sliding", 5e-15, "relative", "the same; measured 2026-11-30 with 12 seeds: up to 5.9e-16"),
                   within("slip", 1e-14, "relative", "the same; measured 2026-11-30 with 12 seeds: up to 1.6e-15")},
-       .mutants = {{"drop/stage_rates.hpp", "const T beta = mobility.axial / at.lambda_c", "const T beta = mobility.axial / at.lambda"},
-                   {"drop/stage_rates.hpp", "rate.across_slope = b_y * c - b_x * s - rate.along;",
+       .mutants = {{"drop/equations/stage_rates.hpp", "const T beta = mobility.axial / at.lambda_c",
+                    "const T beta = mobility.axial / at.lambda"},
+                   {"drop/equations/stage_rates.hpp", "rate.across_slope = b_y * c - b_x * s - rate.along;",
                     "rate.across_slope = b_y * c - b_x * s;"}},
        .measure = measure_stages},
   };

@@ -240,9 +240,10 @@ std::vector<Claim> drop_whole_claims() {
                   within("attitude", 1e-10, "rad", "the same; measured 2026-11-30 with 12 seeds: up to 2.1e-11"),
                   within("momentum", 6e-11, "relative", "the same; measured 2026-11-30 with 12 seeds: up to 1.1e-11"),
                   none("faults", "faults")},
-       .mutants = {{"drop/flight_phase.hpp", "push(run, contact, material_.restitution, EventKind::impact)",
+       .mutants = {{"drop/phases/flight_phase.hpp", "push(run, contact, material_.restitution, EventKind::impact)",
                     "push(run, contact, T(0), EventKind::impact)"},
-                   {"drop/contact_motion.hpp", "T(-(over / (radial * radial)))", "T(over / (radial * radial))"}},
+                   {"drop/equations/contact_motion.hpp", "T(-(over / (radial * radial)))",
+                    "T(over / (radial * radial))"}},
        .measure = measure_links},
       {.id = "DROP-19",
        .statement =
@@ -254,7 +255,8 @@ std::vector<Claim> drop_whole_claims() {
        .checks = {within("nine in ten", 5e-8, "m",
                          "the 90 % quantile, of a bar of 1e-7 for the median; measured 2026-11-30 with 22 seeds: "
                          "up to 8.3e-09"),
-                  within("median at 1e-4", 1e-4, "m", "MED4"), within("median at 1e-6", 1e-6, "m", "MED6"),
+                  within("median at 1e-4", 1e-4, "m", "MED4"),
+                  within("median at 1e-6", 1e-6, "m", "MED6"),
                   {.name = "far",
                    .unit = "percent of the drops, more than 3e-7 m off",
                    .bound = 6.0,
@@ -263,7 +265,8 @@ std::vector<Claim> drop_whole_claims() {
                        "seeds: one of 40 with two of them, none with the others",
                    .resolution = 2.5,
                    .counts = true}},
-       .mutants = {{"drop/integrator.hpp", "const T small = at_least(T(1e-12),", "const T small = at_least(T(1e-4),"}},
+       .mutants = {{"drop/steps/integrator.hpp", "const T small = at_least(T(1e-12),",
+                    "const T small = at_least(T(1e-4),"}},
        .measure = measure_place},
       {.id = "DROP-20",
        .statement =
@@ -273,7 +276,7 @@ std::vector<Claim> drop_whole_claims() {
        .family = OracleFamily::invariant,
        .oracle = "the stress test's judge: gaps along flights and at events, energy at events, rest that lasts",
        .checks = {none("random", "faults"), none("once wrong", "faults")},
-       .mutants = {{"drop/next_impact.hpp", "if (hit.status != ImpactStatus::overlapping && T(0) < until) {",
+       .mutants = {{"drop/phases/next_impact.hpp", "if (hit.status != ImpactStatus::overlapping && T(0) < until) {",
                     "if (false) {"}},
        .measure = measure_stress},
   };

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <goishi/contact/separating_axis.hpp>
 #include <goishi/contact/stone_board.hpp>
+#include <goishi/published/separating_axis.hpp>
 #include <goishi/shape/catalogue.hpp>
 #include <numbers>
 
@@ -162,8 +162,8 @@ std::vector<Claim> published_contact_claims() {
        .family = OracleFamily::published,
        .oracle = "r (sec 22.5° − 1), and at the corner r (sec 27.57° − 1)",
        .checks = {within("", 0.5, "last digits given", "half a unit of the last digit that is given", 0.5)},
-       .mutants = {{"contact/separating_axis.hpp", "result.add(x + up);", "result.add(x + up + up);"},
-                   {"contact/separating_axis.hpp", "result.add(x + y + up);", "result.add(x + y + up + up);"}},
+       .mutants = {{"published/separating_axis.hpp", "result.add(x + up);", "result.add(x + up + up);"},
+                   {"published/separating_axis.hpp", "result.add(x + y + up);", "result.add(x + y + up + up);"}},
        .measure = measure_false_collisions},
       {.id = "PUBLISHED-12",
        .statement =
@@ -174,7 +174,7 @@ std::vector<Claim> published_contact_claims() {
        .oracle =
            "size 33 over an edge, half way between two of its axes; the worst pose of a search at edges and corners",
        .checks = {within("", 0.5, "last digits given", "half a unit of the last digit that is given", 0.5)},
-       .mutants = {{"contact/separating_axis.hpp", ": T(-depth);", ": depth;"}},
+       .mutants = {{"published/separating_axis.hpp", ": T(-depth);", ": depth;"}},
        .measure = measure_push_out},
       {.id = "PUBLISHED-13",
        .statement =

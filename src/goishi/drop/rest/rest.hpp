@@ -3,8 +3,8 @@
 /// When a stone in contact comes to rest, and when one that slips stops turning: forces hold it, and what is left of the
 /// motion does not take it anywhere.
 
-#include <goishi/drop/kinetics.hpp>
-#include <goishi/drop/statics.hpp>
+#include <goishi/drop/equations/kinetics.hpp>
+#include <goishi/drop/rest/statics.hpp>
 
 namespace goishi {
 

@@ -4,9 +4,9 @@
 /// centre moves.
 
 #include <array>
-#include <goishi/drop/runge_kutta.hpp>
-#include <goishi/drop/run.hpp>
-#include <goishi/drop/statics.hpp>
+#include <goishi/drop/phases/run.hpp>
+#include <goishi/drop/rest/statics.hpp>
+#include <goishi/drop/steps/runge_kutta.hpp>
 
 namespace goishi::detail {
 
@@ -114,9 +114,8 @@ class LockedSlide {
       dormand_prince(y, rate, h, trial, *this);
       return true;
     }
-    if (!additive_runge_kutta<T, 4>(
-            y, rate, h, 0b1100U, trial,
-            [&](Motion& stage, const T& reach, Motion& k) { return solve(stage, reach, k); })) {
+    if (!additive_runge_kutta<T, 4>(y, rate, h, 0b1100U, trial,
+                                    [&](Motion& stage, const T& reach, Motion& k) { return solve(stage, reach, k); })) {
       return false;
     }
     trial.rate = (*this)(trial.y);

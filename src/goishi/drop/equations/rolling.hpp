@@ -3,10 +3,10 @@
 /// Contact without slip: the equations, and what is watched while they hold.
 
 #include <array>
-#include <goishi/drop/runge_kutta.hpp>
-#include <goishi/drop/kinetics.hpp>
-#include <goishi/drop/resisting.hpp>
-#include <goishi/drop/stage_rates.hpp>
+#include <goishi/drop/equations/kinetics.hpp>
+#include <goishi/drop/equations/resisting.hpp>
+#include <goishi/drop/equations/stage_rates.hpp>
+#include <goishi/drop/steps/runge_kutta.hpp>
 #include <limits>
 
 namespace goishi::detail {

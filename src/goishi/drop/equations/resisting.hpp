@@ -4,7 +4,7 @@
 /// changes with the angular velocity much faster than anything else moves: explicit steps would follow that.
 
 #include <array>
-#include <goishi/drop/kinetics.hpp>
+#include <goishi/drop/equations/kinetics.hpp>
 #include <limits>
 
 namespace goishi {

@@ -3,7 +3,7 @@
 /// Friction that slips, as formulas: what a law of friction and the normal force that goes with it do to the slip. Per
 /// unit of mass, as in contact_motion.hpp.
 
-#include <goishi/drop/contact_motion.hpp>
+#include <goishi/drop/equations/contact_motion.hpp>
 
 namespace goishi {
 

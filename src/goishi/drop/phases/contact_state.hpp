@@ -4,9 +4,9 @@
 
 #include <array>
 #include <goishi/contact/stone_board.hpp>
-#include <goishi/drop/kinetics.hpp>
-#include <goishi/drop/run.hpp>
-#include <goishi/drop/stretch.hpp>
+#include <goishi/drop/equations/kinetics.hpp>
+#include <goishi/drop/motion/stretch.hpp>
+#include <goishi/drop/phases/run.hpp>
 #include <limits>
 
 namespace goishi::detail {
@@ -154,7 +154,7 @@ void reunite(Variables<T>& y) {
 /// What a contact does next, up to a time at which it is looked at again.
 template <class T>
 struct Ahead {
-  T length = T(0);    // [s]
+  T length = T(0);       // [s]
   Variables<T> to = {};  // the variables then
   bool known = false;    // whether `along` is
   Interpolant<T, variables> along = {};

@@ -3,13 +3,13 @@
 /// Integrates one set of contact equations, step by step, with error control, up to the event that ends their validity.
 
 #include <array>
-#include <goishi/drop/contact_state.hpp>
-#include <goishi/drop/energy_balance.hpp>
-#include <goishi/drop/gliding.hpp>
-#include <goishi/drop/rest.hpp>
-#include <goishi/drop/rolling.hpp>
-#include <goishi/drop/runge_kutta.hpp>
-#include <goishi/drop/sliding.hpp>
+#include <goishi/drop/equations/gliding.hpp>
+#include <goishi/drop/equations/rolling.hpp>
+#include <goishi/drop/equations/sliding.hpp>
+#include <goishi/drop/phases/contact_state.hpp>
+#include <goishi/drop/rest/rest.hpp>
+#include <goishi/drop/steps/energy_balance.hpp>
+#include <goishi/drop/steps/runge_kutta.hpp>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -185,7 +185,8 @@ class ContactIntegrator {
   template <class Equations>
   [[nodiscard]] Interpolant<T, variables> interpolated(Equations& equations, const Variables<T>& y,
                                                        const Variables<T>& to, const T& h) const {
-    const Interpolant<T, variables> rough = interpolant(y, from_rate_, to, trial_.rate, h, bend_of(trial_, from_rate_, h));
+    const Interpolant<T, variables> rough =
+        interpolant(y, from_rate_, to, trial_.rate, h, bend_of(trial_, from_rate_, h));
     // The rates of what is stiff, at a place that is not quite right, are not.
     return equations.order() == 5 ? sharpened(rough, h, equations) : rough;
   }
@@ -465,8 +466,8 @@ class ContactIntegrator {
     const T least = run.contact_body.resists && momentum2 < scalar::sq(slow) ? slow : usual;
     const T momentum = scalar::sqrt(T(momentum2 + scalar::sq(least)));
     const auto place = [&](const T& x) {  // no error is below round-off
-      return T(1) / (run.scales.length +
-                     T(64) * std::numeric_limits<T>::epsilon() / run.settings.tolerance * size_of(x));
+      return T(1) /
+             (run.scales.length + T(64) * std::numeric_limits<T>::epsilon() / run.settings.tolerance * size_of(x));
     };
     const T& speed = run.scales.speed;
     const T& thin = run.scales.thinness;

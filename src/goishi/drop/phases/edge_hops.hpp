@@ -6,8 +6,8 @@
 #include <goishi/contact/contact.hpp>
 #include <goishi/contact/stone_board.hpp>
 #include <goishi/contact/stone_plane.hpp>
-#include <goishi/drop/run.hpp>
-#include <goishi/drop/statics.hpp>
+#include <goishi/drop/phases/run.hpp>
+#include <goishi/drop/rest/statics.hpp>
 #include <goishi/impact/laws.hpp>
 #include <limits>
 
@@ -160,7 +160,7 @@ class EdgeHops {
     if (run.board) {
       const Pose<T> pose{p, run.state.q_WB};
       const Separation<T> other = is_floor(run, contact) ? separation(run.stone, pose, *run.board)
-                                                    : separation(run.stone, pose, floor_of(*run.board));
+                                                         : separation(run.stone, pose, floor_of(*run.board));
       if (other.gap < hop_height(run.settings, run.contact_body.strength)) {
         supports[count++] = {other.p_stone - p, other.n_W};
       }

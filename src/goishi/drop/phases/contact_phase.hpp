@@ -3,10 +3,10 @@
 /// The contact phase: from the moment at which a contact stays until it ends or the stone rests. The equations change
 /// where friction, the feature in contact or the sign of the normal force does; each change is located and recorded.
 
-#include <goishi/drop/contact_state.hpp>
-#include <goishi/drop/integrator.hpp>
-#include <goishi/drop/locked.hpp>
-#include <goishi/drop/onset.hpp>
+#include <goishi/drop/phases/contact_state.hpp>
+#include <goishi/drop/phases/locked.hpp>
+#include <goishi/drop/phases/onset.hpp>
+#include <goishi/drop/steps/integrator.hpp>
 #include <optional>
 
 namespace goishi::detail {

@@ -4,9 +4,9 @@
 /// under `rolling_force` or `slip_rate`, put together so that what does not reach a rate is not computed, no matrix is
 /// built, and few divisions are left. (Claim DROP-34 holds the two against each other.)
 
-#include <goishi/drop/carried.hpp>
-#include <goishi/drop/kinetics.hpp>
-#include <goishi/drop/slip.hpp>
+#include <goishi/drop/equations/carried.hpp>
+#include <goishi/drop/equations/kinetics.hpp>
+#include <goishi/drop/equations/slip.hpp>
 
 namespace goishi {
 
@@ -45,8 +45,7 @@ template <Elementary T>
   const Vec3<T> r_rate(T(-(turn * u.x() + geometry.slope * at.u_rate.x())),
                        T(-(turn * u.y() + geometry.slope * at.u_rate.y())), T(-(geometry.slope * at.u_rate.z())));
   const Vec3<T> gyration = formula::cross(at.u_rate, at.r), swept = formula::cross(at.w, r_rate);
-  at.need = {T(-(gravity.x() + along * gyration.x() + swept.x())),
-             T(-(gravity.y() + along * gyration.y() + swept.y())),
+  at.need = {T(-(gravity.x() + along * gyration.x() + swept.x())), T(-(gravity.y() + along * gyration.y() + swept.y())),
              T(-(gravity.z() + along * gyration.z() + swept.z()))};
   const T lever = geometry.height - geometry.slope * u.z();
   at.c = {T(lever * u.y()), T(-(lever * u.x())), T(0)};
@@ -107,8 +106,8 @@ template <Field T>
 [[nodiscard]] inline Vec3<T> stage_solution(const Mobility<T>& mobility, const StageMotion<T>& at, const Vec3<T>& q) {
   const T over = T(1) / at.lambda, alpha = mobility.transverse * formula::dot(at.r, q);
   const T beta = mobility.axial / at.lambda_c * (at.c.x() * q.x() + at.c.y() * q.y());
-  return {T(over * (q.x() + alpha * at.r.x() - beta * at.c.x())), T(over * (q.y() + alpha * at.r.y() - beta * at.c.y())),
-          T(over * (q.z() + alpha * at.r.z()))};
+  return {T(over * (q.x() + alpha * at.r.x() - beta * at.c.x())),
+          T(over * (q.y() + alpha * at.r.y() - beta * at.c.y())), T(over * (q.z() + alpha * at.r.z()))};
 }
 
 /// All rates but the slip's, of a contact point that slips with (s_x, s_y) under a force F, F_z = M root.
@@ -175,10 +174,9 @@ namespace detail {
 template <Ordered T>
 [[nodiscard]] inline StageMotion<T> stage_motion(const ContactBody<T>& body, Feature feature, const Variables<T>& y) {
   const Vec3<T> u = axis_of(y);
-  return formula::stage_motion<T>(
-      body.mobility, body.gravity, geometry_of(body.stone, feature, u), u, momentum_of(y),
-      body.resists, body.resists ? scalar::sq(body.rolling_resistance) : T(0),
-      body.resists ? scalar::sq(body.pivot_radius) : T(0), resistance_floor(body));
+  return formula::stage_motion<T>(body.mobility, body.gravity, geometry_of(body.stone, feature, u), u, momentum_of(y),
+                                  body.resists, body.resists ? scalar::sq(body.rolling_resistance) : T(0),
+                                  body.resists ? scalar::sq(body.pivot_radius) : T(0), resistance_floor(body));
 }
 
 }  // namespace detail

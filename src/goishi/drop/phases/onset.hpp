@@ -13,8 +13,8 @@
 /// Source  Moreau, in Nonsmooth Mechanics and Applications (1988), for the step and the least energy.
 
 #include <array>
-#include <goishi/drop/cholesky.hpp>
-#include <goishi/drop/kinetics.hpp>
+#include <goishi/drop/equations/kinetics.hpp>
+#include <goishi/drop/rest/cholesky.hpp>
 #include <limits>
 
 namespace goishi::detail {

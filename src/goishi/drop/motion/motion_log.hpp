@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <goishi/drop/stretch.hpp>
+#include <goishi/drop/motion/stretch.hpp>
 #include <vector>
 
 namespace goishi {

@@ -4,10 +4,10 @@
 
 #include <array>
 #include <cstddef>
-#include <goishi/drop/carried.hpp>
-#include <goishi/drop/contact_motion.hpp>
+#include <goishi/drop/equations/carried.hpp>
+#include <goishi/drop/equations/contact_motion.hpp>
+#include <goishi/drop/equations/slip.hpp>
 #include <goishi/drop/settings.hpp>
-#include <goishi/drop/slip.hpp>
 #include <goishi/shape/surface.hpp>
 
 namespace goishi {
@@ -142,9 +142,9 @@ template <Ordered T>
 template <Ordered T>
 [[nodiscard]] inline Kinetics<T> kinetics(const ContactBody<T>& body, Feature feature, const Variables<T>& y) {
   const Vec3<T> u = axis_of(y);
-  Kinetics<T> k{formula::contact_motion(body.mobility, body.gravity, geometry_of(body.stone, feature, u), u,
-                                        momentum_of(y)),
-                Vec3<T>::Zero(), Vec3<T>::Zero()};
+  Kinetics<T> k{
+      formula::contact_motion(body.mobility, body.gravity, geometry_of(body.stone, feature, u), u, momentum_of(y)),
+      Vec3<T>::Zero(), Vec3<T>::Zero()};
   if (body.resists) {
     k.torque = resistance_torque(body, k.w);
     k.brake = formula::turned_point(body.mobility, k.u, k.r, k.torque);

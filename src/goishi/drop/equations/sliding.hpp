@@ -4,10 +4,10 @@
 /// a rate of order μg/σ towards where the slip's own rate points. An additive Runge–Kutta pair takes that one variable
 /// implicitly, all others explicitly, so that micro-slip costs no more steps than slip.
 
-#include <goishi/drop/runge_kutta.hpp>
-#include <goishi/drop/kinetics.hpp>
-#include <goishi/drop/rolling.hpp>
-#include <goishi/drop/stage_rates.hpp>
+#include <goishi/drop/equations/kinetics.hpp>
+#include <goishi/drop/equations/rolling.hpp>
+#include <goishi/drop/equations/stage_rates.hpp>
+#include <goishi/drop/steps/runge_kutta.hpp>
 
 namespace goishi::detail {
 
@@ -187,9 +187,7 @@ class Sliding {
     slip_ = formula::slip_rate(now.W, now.brake, now.need, body_.friction, c_, s_);
   }
 
-  void see_jam(const SlipRate<T>& slip, const T& W_zz) {
-    jams_ = jams_ || !(jam_margin(W_zz) < slip.denominator);
-  }
+  void see_jam(const SlipRate<T>& slip, const T& W_zz) { jams_ = jams_ || !(jam_margin(W_zz) < slip.denominator); }
 
   [[nodiscard]] Variables<T> all_rates(const Variables<T>& y) {
     see_jam(slip_, now.W.zz);

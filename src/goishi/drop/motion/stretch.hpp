@@ -4,9 +4,9 @@
 /// a stretch of contact is a polynomial in the variables that were integrated.
 
 #include <cmath>
-#include <goishi/drop/carried.hpp>
-#include <goishi/drop/kinetics.hpp>
-#include <goishi/drop/runge_kutta.hpp>
+#include <goishi/drop/equations/carried.hpp>
+#include <goishi/drop/equations/kinetics.hpp>
+#include <goishi/drop/steps/runge_kutta.hpp>
 #include <goishi/motion/free_flight.hpp>
 #include <optional>
 #include <variant>

@@ -3,8 +3,8 @@
 /// A drop on its way: what its phases share.
 
 #include <goishi/board/board.hpp>
+#include <goishi/drop/equations/kinetics.hpp>
 #include <goishi/drop/events.hpp>
-#include <goishi/drop/kinetics.hpp>
 #include <goishi/drop/settings.hpp>
 #include <goishi/motion/free_flight.hpp>
 #include <goishi/motion/state.hpp>

@@ -3,9 +3,9 @@
 /// Contact under the laws of friction that are smooth in the slip.
 
 #include <array>
-#include <goishi/drop/runge_kutta.hpp>
-#include <goishi/drop/kinetics.hpp>
-#include <goishi/drop/rolling.hpp>
+#include <goishi/drop/equations/kinetics.hpp>
+#include <goishi/drop/equations/rolling.hpp>
+#include <goishi/drop/steps/runge_kutta.hpp>
 
 namespace goishi::detail {
 

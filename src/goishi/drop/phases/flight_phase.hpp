@@ -3,11 +3,11 @@
 /// Flight and impacts, until a contact stays; and what follows it.
 
 #include <goishi/contact/time_of_impact.hpp>
-#include <goishi/drop/contact_phase.hpp>
-#include <goishi/drop/edge_hops.hpp>
-#include <goishi/drop/next_impact.hpp>
-#include <goishi/drop/run.hpp>
-#include <goishi/drop/stretch.hpp>
+#include <goishi/drop/motion/stretch.hpp>
+#include <goishi/drop/phases/contact_phase.hpp>
+#include <goishi/drop/phases/edge_hops.hpp>
+#include <goishi/drop/phases/next_impact.hpp>
+#include <goishi/drop/phases/run.hpp>
 #include <goishi/impact/laws.hpp>
 
 namespace goishi {

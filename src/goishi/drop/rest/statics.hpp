@@ -5,8 +5,8 @@
 
 #include <array>
 #include <cstddef>
-#include <goishi/drop/cholesky.hpp>
-#include <goishi/drop/kinetics.hpp>
+#include <goishi/drop/equations/kinetics.hpp>
+#include <goishi/drop/rest/cholesky.hpp>
 #include <limits>
 
 namespace goishi {
