@@ -2,6 +2,7 @@
 /// Impacts: how bodies answer to an impulse, the normal impulse, friction, the linear response.
 
 #include <goishi/impact/impulses.hpp>
+#include <goishi/published/linear_response.hpp>
 #include <string>
 
 #include "impact.hpp"
@@ -269,7 +270,7 @@ plane with the normal $z$:)");
 
 void linear(Document& document) {
   document.section("The linear response");
-  document.shipped("formula::linear_impulse", "impact/impulses.hpp");
+  document.shipped("formula::linear_impulse", "published/linear_response.hpp");
   const possymbol m("m"), K("K");
   const ex j = formula::linear_impulse<ex>(Vector(m * v), n, e);
   document.equation("j", j);

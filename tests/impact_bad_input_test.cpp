@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <goishi/published/linear_response.hpp>
 #include <utility>
 #include <vector>
 

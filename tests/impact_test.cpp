@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <goishi/mass/inertia.hpp>
+#include <goishi/published/linear_response.hpp>
 #include <random>
 #include <vector>
 

@@ -7,15 +7,6 @@
 
 namespace goishi::formula {
 
-/// The talk's linear response: j = −(1 + e) p · n with p = m v the momentum; no rotation, no friction   [N s]. It is
-/// `normal_impulse` with K = 1/m. With the velocity of the contact point instead (spin included), and the mass alone,
-/// it gains energy as soon as (1 + e) m K > 2 (claim PUBLISHED-14).
-/// Proof  derivations/impact.cpp.
-template <Field T>
-[[nodiscard]] T linear_impulse(const Vec3<T>& momentum, const Vec3<T>& n_W, const T& restitution) {
-  return -((T(1) + restitution) * formula::dot(momentum, n_W));
-}
-
 /// The impulse along n that turns the approach v · n < 0 into −e v · n, without friction   [N s]:
 ///
 ///     j = −(1 + e) v · n / K,   K = n · W n

@@ -140,17 +140,4 @@ template <Ordered T>
   return result;
 }
 
-/// The talk's linear response: a body that does not turn meets a fixed one with a momentum; j = −(1 + e) p · n if it
-/// approaches.
-/// Returns the impulse along n   [N s]; 0 for a body that leaves.
-/// Domain  0 <= e <= 1, a unit normal, a finite momentum; else InvalidArgument.
-template <Ordered T>
-[[nodiscard]] T linear_response(const Vec3<T>& momentum, const Vec3<T>& n_W,
-                                const std::type_identity_t<T>& restitution) {
-  require_material(Material<T>{.restitution = restitution, .friction = T(0)});
-  detail::require_point(momentum, "momentum");
-  detail::require_direction(n_W);
-  return formula::dot(momentum, n_W) < T(0) ? formula::linear_impulse(momentum, n_W, restitution) : T(0);
-}
-
 }  // namespace goishi

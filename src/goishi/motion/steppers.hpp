@@ -9,6 +9,7 @@
 #include <goishi/motion/free_flight.hpp>
 #include <goishi/motion/state.hpp>
 #include <goishi/motion/step_formulas.hpp>
+#include <goishi/published/attitude_step.hpp>
 #include <optional>
 #include <string_view>
 
@@ -220,9 +221,7 @@ class Stepper {
   [[nodiscard]] StepStatus turn(State<T>& state, [[maybe_unused]] Vec3<T>& L_B, const T& dt) const {
     const Quat<T> q = state.q_WB;
     if constexpr (scheme == Scheme::published) {
-      const Vec3<T> w_WB = angular_velocity(state);
-      const Quat<T> next = formula::raw_euler_attitude(q, w_WB, dt).normalized();
-      const Vec3<T> L_W = formula::angular_momentum_W(next, body_, formula::in_body(next, w_WB));
+      const auto [next, L_W] = detail::published_turn(q, angular_velocity(state), body_, dt);
       if (!scalar::is_finite(T(L_W.sum())) || settle(state, next) != StepStatus::completed) {
         return StepStatus::diverged;
       }

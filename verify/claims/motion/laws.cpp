@@ -370,7 +370,7 @@ std::vector<Claim> motion_law_claims() {
            rounded("gain of L", 4.0, "ε √pieces of the parts", "as the energy")},
           {{"motion/free_flight.hpp", "const Vec3<T> gain = t * gravity", "const Vec3<T> gain = gravity"},
            {"motion/invariants.hpp", "-(body.mass * gravity.dot(state.p_WB))", "-(gravity.dot(state.p_WB))"},
-           {"motion/steppers.hpp", "const Vec3<T> L_W = formula::angular_momentum_W(",
+           {"published/attitude_step.hpp", "const Vec3<T> L_W = formula::angular_momentum_W(",
             "const Vec3<T> L_W = T(2) * formula::angular_momentum_W("}},
           measure_conserved),
       law("MOTION-7",

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <goishi/published/impact_law.hpp>
+#include <goishi/published/linear_response.hpp>
 
 #include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
@@ -205,7 +207,7 @@ std::vector<Claim> published_impact_claims() {
                   within("centre", 6.0, "ε of v_n",
                          "a product with m and a quotient by it, and 1 + e, up to twice as great", 0.5),
                   none("sign", "contacts that gain energy and should not, or the other way round")},
-       .mutants = {{"impact/impulses.hpp", "-((T(1) + restitution) * formula::dot(momentum, n_W))",
+       .mutants = {{"published/linear_response.hpp", "-((T(1) + restitution) * formula::dot(momentum, n_W))",
                     "-((T(1) - restitution) * formula::dot(momentum, n_W))"},
                    {"vector.hpp", "T(a.x() * b.y() - a.y() * b.x())", "T(a.x() * b.y() + a.y() * b.x())"},
                    {"impact/body.hpp", ".transverse = T(T(1) / moments.transverse)",
