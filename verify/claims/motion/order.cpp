@@ -310,7 +310,7 @@ std::vector<Claim> order_claims() {
        .oracle = "the raw Newton–Euler equations by Taylor series of order 24 in long double; slopes of the error by "
                  "step halving",
        .checks = {within("order 1", 0.01, "of the slope", next), within("order 2", 0.002, "of the slope", next),
-                  within("order 4", 0.15, "of the slope", next), within("order 6", 0.2, "of the slope", next),
+                  within("order 4", 0.15, "of the slope", next, 0.003), within("order 6", 0.2, "of the slope", next),
                   within("position", 1e-11, "of the slope",
                          "the error is g t Δt/2 and nothing else; round-off over it"),
                   within("exact position", 16.0, "ε of the way",
