@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fnmatch.h>
+#include <pthread.h>
 #include <sys/utsname.h>
 
 #include <array>
@@ -134,6 +135,34 @@ std::size_t Run::failures() const {
 
 namespace {
 
+/// What a thread has used since: its processor's time, so that a claim that is held up from outside does not count as one that
+/// hangs; and the time of day, for one that waits.
+class Stopwatch {
+ public:
+  /// Of the thread that calls.
+  Stopwatch() {
+    pthread_getcpuclockid(pthread_self(), &clock_);
+    used_ = used();
+  }
+  /// While that thread lives.
+  [[nodiscard]] bool is_beyond(double limit) const {
+    constexpr double patience = 20;
+    const double day = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
+    return limit < used() - used_ || patience * limit < day;
+  }
+
+ private:
+  [[nodiscard]] double used() const {
+    timespec time{};
+    clock_gettime(clock_, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  }
+
+  clockid_t clock_{};
+  double used_ = 0;
+  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
+};
+
 /// What the threads of a run share. It outlives the run where a thread hangs.
 struct Desk {
   explicit Desk(const std::vector<Claim>& the_claims)
@@ -141,7 +170,7 @@ struct Desk {
 
   std::vector<Claim> claims;
   std::vector<Result> results;
-  std::vector<std::optional<std::chrono::steady_clock::time_point>> begun;  // of the claims under way
+  std::vector<std::optional<Stopwatch>> begun;  // of the claims under way
   std::vector<bool> over;
   std::size_t next = 0, finished = 0;
   std::mutex mutex;
@@ -152,7 +181,7 @@ void work(const std::shared_ptr<Desk>& desk, const Stamp& stamp) {
   std::unique_lock lock(desk->mutex);
   while (desk->next < desk->claims.size()) {
     const std::size_t i = desk->next++;
-    desk->begun[i] = std::chrono::steady_clock::now();
+    desk->begun[i].emplace();
     lock.unlock();
     Result result = measure(desk->claims[i], stamp);
     lock.lock();
@@ -184,9 +213,8 @@ Run run_claims(const std::vector<Claim>& claims, const Stamp& stamp, unsigned th
   std::size_t count = 0;
   while (count < claims.size()) {
     desk->changed.wait_for(lock, std::chrono::milliseconds(200));
-    const auto now = std::chrono::steady_clock::now();
     for (std::size_t i = 0; i < claims.size(); ++i) {
-      if (desk->begun[i] && limit < std::chrono::duration<double>(now - *desk->begun[i]).count()) {
+      if (desk->begun[i] && desk->begun[i]->is_beyond(limit)) {
         desk->begun[i].reset();
         desk->over[i] = run.hangs = true;
         desk->results[i].claim = &desk->claims[i];

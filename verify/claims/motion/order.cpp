@@ -354,7 +354,8 @@ std::vector<Claim> order_claims() {
        .checks = {within("momentum", 16.0, "ε", "through the attitude: a dozen roundings, none accumulating"),
                   within("energy of midpoint", 1.0, "of 4 ε √n + ε n/100",
                          "a random walk of some 4 ε a step, and what rounds alike in every step (ORDER-4): measured "
-                         "2026-11-30 with seed 31, ε/160"),
+                         "2026-11-30 with seed 31, ε/160",
+                         0.02),
                   within("energy, order 2", 5e-4, "relative", size), within("energy, order 4", 6e-8, "relative", size),
                   within("energy, order 6", 6e-11, "relative", size),
                   within("drift", 1.0, "of 1 % and 4 ε √n",
