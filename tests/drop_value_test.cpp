@@ -197,10 +197,20 @@ TEST(DropValue, ShowsBothSidesOfAnImpact) {
 TEST(DropValue, KeepsNoMoreMotionThanItIsTold) {
   Drop<double> all = drop_of(rough()), some = all;
   all.keep_motion();
-  some.keep_motion(20);
-  all.advance_to_rest();
+  some.keep_motion(200);
+  const DropResult<double> result = followed(all);
   some.advance_to_rest();
   EXPECT_GT(some.motion_begin(), 0.0);
+  EXPECT_EQ(some.kept(), 200U);
+  int told = 0;
+  for (const Event<double>& event : result.events) {
+    if (some.motion_begin() < event.time) {
+      ++told;
+      EXPECT_TRUE(same(some.state_at(event.time), all.state_at(event.time)));
+      EXPECT_TRUE(same(some.state_at(event.time, Side::before), all.state_at(event.time, Side::before)));
+    }
+  }
+  EXPECT_GT(told, 3);
   for (int i = 0; i <= 100; ++i) {
     const double time = some.motion_begin() + (some.time() - some.motion_begin()) * i / 100.0;
     EXPECT_TRUE(same(some.state_at(time), all.state_at(time))) << i;
@@ -231,7 +241,11 @@ TEST(DropValue, AnImpulseMovesAStoneAtRest) {
   EXPECT_LT((drop.state().v_WB - P / drop.body().mass).norm(), 1e-15);
   EXPECT_EQ(drop.state().L_W, before.L_W);
   EXPECT_EQ(drop.status(), DropStatus::moving);
+  EXPECT_EQ(drop.ground(), Ground::board);
+  const DropCounters until_then = drop.counters();
+  EXPECT_GT(until_then.impacts, 3);
   EXPECT_EQ(drop.advance_to_rest(), DropStatus::rest);
+  EXPECT_GT(drop.counters().contact_evaluations, until_then.contact_evaluations);
   EXPECT_GT((drop.state().p_WB - before.p_WB).norm(), 0.005);
   EXPECT_TRUE(same(drop.state_at(rested + 0.1), before));
   EXPECT_TRUE(same(drop.state_at(rested + 0.25, Side::before), before));
@@ -268,6 +282,7 @@ TEST(DropValue, AnotherBoardLetsItFall) {
   drop.change(std::optional<Board<double>>(board));
   EXPECT_EQ(drop.advance_to_rest(), DropStatus::rest);
   EXPECT_EQ(drop.ground(), Ground::floor);
+  EXPECT_FALSE(drop.lower_order());
   EXPECT_NEAR(drop.state().p_WB.z(), height + board.floor, 1e-12);
   // It is inside what comes back.
   drop.change(std::optional<Board<double>>());

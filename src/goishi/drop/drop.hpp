@@ -198,7 +198,6 @@ class Drop {
     }
     run.counters = run_.counters;
     run.ground = run_.ground;
-    run.level = run_.level;
     run.lower_order = run_.lower_order;
     run_ = run;
     flight_ = detail::FlightPhase<T>(run_);

@@ -13,6 +13,7 @@
 #include "verify/samples/domain.hpp"
 #include "verify/samples/drop.hpp"
 #include "verify/samples/touching.hpp"
+#include "verify/suite/quantile.hpp"
 
 namespace goishi::verify {
 
@@ -131,7 +132,7 @@ Difference difference(const Drop<double>& drop, const State<double>& a, const St
 
 Measurement measure_any_time(Context& context) {
   Checks checks;
-  int asked = 0, beyond = 0;
+  std::vector<double> places, momenta, energies;
   for (int i = 0; i < context.samples(60, 500); ++i) {
     const Drop<double> fresh = draw_drop(context, 3 * i);
     const double tolerance = fresh.settings().tolerance;
@@ -143,12 +144,6 @@ Measurement measure_any_time(Context& context) {
       continue;
     }
     const auto told = [&](double time) { return [&, time] { return fmt::format("drop {} at {:a} s", i, time); }; };
-    const auto see = [&](const Difference& off, const char* place, const char* momenta, const char* energy,
-                         double time) {
-      checks[place].see(off.place / tolerance, told(time));
-      checks[momenta].see(off.momenta / tolerance, told(time));
-      checks[energy].see(off.energy / tolerance, told(time));
-    };
     const auto seen_at = [&](double time, Side side = Side::after) {
       State<double> state = kept.state_at(time, side);
       state.p_WB = context.produced(state.p_WB);
@@ -171,9 +166,9 @@ Measurement measure_any_time(Context& context) {
       other.advance_to(later);
       if (other.counters().impacts == impacts) {  // an impact magnifies
         const Difference off = difference(kept, seen_at(later), other.state());
-        see(off, "place", "momenta", "energy", later);
-        beyond += std::max(off.place, off.momenta) > 10.0 * tolerance || off.energy > tolerance ? 1 : 0;
-        ++asked;
+        places.push_back(off.place / tolerance);
+        momenta.push_back(off.momenta / tolerance);
+        energies.push_back(off.energy / tolerance);
       }
       // The derivative of the place is the velocity.
       const double h = 1e-5;
@@ -195,10 +190,16 @@ Measurement measure_any_time(Context& context) {
       // Several at one time: before the first, after the last.
       const auto at_once = std::ranges::count(events, event.time, &Event<double>::time);
       checks["events"].see(at_once > 1 ? 0.0 : std::max(before.place, after.place), size, told(event.time));
+      checks["jumps"].see(at_once > 1 ? 0.0 : std::max(before.momenta, after.momenta) / tolerance, told(event.time));
     }
   }
-  checks["beyond"].see(100.0 * beyond / asked, [&] { return fmt::format("{} of {} times", beyond, asked); });
-  return checks.measurement({{"times that were asked for", fmt::format("{}", asked)}});
+  for (const auto& [name, errors] : {std::pair{"place", &places}, {"momenta", &momenta}, {"energy", &energies}}) {
+    checks[name].see(quantile(*errors, 0.99), [] { return "ninety-nine in a hundred"; });
+  }
+  return checks.measurement({{"times that were asked for", fmt::format("{}", places.size())},
+                             {"of the tolerance at worst: place, momenta, energy",
+                              fmt::format("{:.2g}, {:.2g}, {:.2g}", quantile(places, 1.0), quantile(momenta, 1.0),
+                                          quantile(energies, 1.0))}});
 }
 
 // --- DROP-34
@@ -280,25 +281,26 @@ std::vector<Claim> drop_value_claims() {
        .measure = measure_cuts},
       {.id = "DROP-33",
        .statement =
-           "The state of a drop at any time of its past is that of the drop from a moment before, at tolerance 1e-12; "
-           "the place's derivative is the velocity; at an event it is the event's, before and after.",
+           "The state of a drop at any time of its past is that of the drop from a moment before, at tolerance 1e-12, "
+           "but for a few tolerances, in 99 of 100 times; the place's derivative is the velocity; at an event it is "
+           "the "
+           "event's, before and after.",
        .function = "Drop::state_at",
        .family = OracleFamily::relation,
        .oracle = "a fresh drop, at 1e-12, from the state up to 2 ms before",
-       .checks = {within("place", 30.0, "of the tolerance, half widths and rad",
-                         "a few steps' errors, where a change of the equations lies between magnified; measured "
-                         "2026-11-30 with 12 seeds: 0.6 to 3.1",
-                         1.0),
-                  within("momenta", 100.0, "of the tolerance, of the stone's own speed",
-                         "the same; measured 2026-11-30 with 12 seeds: 2.5 to 21", 1.0),
-                  within("energy", 30.0, "of the tolerance, of the stone's own speed squared",
-                         "the same; measured 2026-11-30 with 12 seeds: 0.3 to 8.6", 1.0),
-                  {.name = "beyond",
-                   .unit = "percent of the times, beyond 10 tolerances of place or momenta or 1 of energy",
-                   .bound = 2.0,
-                   .reason = "of those moments; measured 2026-11-30 with 24 seeds: up to 0.7",
-                   .resolution = 0.1,
-                   .counts = true},
+       .checks = {within("place", 5.0, "of the tolerance, half widths and rad",
+                         "ninety-nine times in a hundred, of a bar of 10: a few steps' errors, and the polynomial's; a "
+                         "change of the equations between may magnify more. Measured 2026-11-30 with 12 seeds: up to "
+                         "0.6",
+                         0.1),
+                  within("momenta", 10.0, "of the tolerance, of the stone's own speed",
+                         "the same; measured 2026-11-30 with 12 seeds: up to 1.6", 0.2),
+                  within("energy", 1.0, "of the tolerance, of the stone's own speed squared",
+                         "the same, of a bar of 1; measured 2026-11-30 with 12 seeds: up to 0.5", 0.02),
+                  within("jumps", 0.1, "of the tolerance, of the stone's own speed",
+                         "at an event a turning or slip that is next to nothing is made nothing; measured 2026-11-30 "
+                         "with 12 seeds: up to 7e-3",
+                         1e-3),
                   within("derivative", 10.0, "of 30 tolerances and 1e-10, of the stone's own speed",
                          "a polynomial's derivative is off by more than itself, over a step; measured 2026-11-30 with "
                          "12 seeds: 0.4 to 1.7"),
