@@ -42,7 +42,8 @@ template <Ordered T>
   if (!(T(0) < half1 && T(0) < half2)) {
     return false;
   }
-  const T chord1 = scalar::sqrt(T(half1 / sine2)), chord2 = scalar::sqrt(T(half2 / sine2));
+  const T sine = scalar::sqrt(sine2);  // squares of chords may overflow
+  const T chord1 = scalar::sqrt(half1) / sine, chord2 = scalar::sqrt(half2) / sine;
   const T low = along - chord1 < -chord2 ? T(-chord2) : T(along - chord1);
   const T high = along + chord1 < chord2 ? T(along + chord1) : chord2;
   x = formula::plus(x, T((low + high) / T(2)), t);
@@ -151,10 +152,14 @@ template <class T>
 struct PairSizes {
   static constexpr int high = std::numeric_limits<T>::max_exponent, low = std::numeric_limits<T>::min_exponent;
   static inline const T least = two_to<T>(low / 2 + 2 * std::numeric_limits<T>::digits);
-  static inline const T larger = two_to<T>(high / 2);
+  // Next to the axis a rim bends by its radius over round-off of 1, and two such bends are multiplied.
+  static inline const T most = two_to<T>(high / 2 - 4 - std::numeric_limits<T>::digits), far = two_to<T>(high / 2);
+  static inline const T larger = far, smaller = two_to<T>(-(high / 8 * 3));
 
-  [[nodiscard]] static bool hold(const T& size) { return least < size && size < Squares<T>::most; }
-  [[nodiscard]] static T factor(const T& size) { return size < T(1) ? larger : Squares<T>::smaller; }
+  [[nodiscard]] static bool hold(const T& size) { return least < size && size < most; }
+  [[nodiscard]] static T factor(const T& size) {
+    return size < T(1) ? larger : size < far ? smaller : Squares<T>::smaller;
+  }
 };
 
 /// The same, seen from the second stone in a world of another size.
