@@ -45,10 +45,17 @@ template <class T>
 /// By how much |q|² or |n|² may be off 1, and nearly is: in ε.
 inline constexpr std::array unit_defects = {0, 60, -60};
 
-/// What the coefficients of a unit vector or quaternion are multiplied by for a defect.
-template <class T>
-[[nodiscard]] T defective(int defect) {
-  return T(1) + static_cast<T>(defect) / T(2) * std::numeric_limits<T>::epsilon();
+/// A unit vector, or a quaternion's coefficients, whose square is off 1 by no more than a defect, and by no less than that
+/// but for 2 ε: the components are rounded by up to half an ε each, the square by up to one.
+template <class T, int rows>
+[[nodiscard]] Eigen::Matrix<T, rows, 1> defective(const Eigen::Matrix<T, rows, 1>& unit, int defect) {
+  if (defect == 0) {
+    return unit;
+  }
+  using Wide = long double;
+  const Wide aim = static_cast<Wide>(defect < 0 ? defect + 1 : defect - 1) * std::numeric_limits<T>::epsilon();
+  const auto wide = unit.template cast<Wide>();
+  return Eigen::Matrix<T, rows, 1>((std::sqrt((1 + aim) / wide.squaredNorm()) * wide).template cast<T>());
 }
 
 /// Widths of any size, denormal ones too; heights down to nothing of it, or in the strata of `draw_shape`, whose ball,
@@ -81,7 +88,7 @@ template <class T>
     q = draw_attitude(context.random()).template cast<T>().normalized();
   }
   const int defect = unit_defects[static_cast<std::size_t>(i / 4) % unit_defects.size()];
-  q.coeffs() *= defective<T>(defect);
+  q.coeffs() = defective<T, 4>(q.coeffs(), defect);
   return q;
 }
 
@@ -96,7 +103,7 @@ template <class T>
                                       Vec3<T>(sign, i % 3 == 0 ? least : std::fmin(small, T(1e-3)), -least), any};
   const Vec3<T> u = all[static_cast<std::size_t>(i) % all.size()];
   const Vec3<T> turned(u[(i / 4) % 3], u[(i / 4 + 1) % 3], u[(i / 4 + 2) % 3]);
-  return defective<T>(unit_defects[static_cast<std::size_t>(i / 4) % unit_defects.size()]) * turned.normalized();
+  return defective<T, 3>(turned.normalized(), unit_defects[static_cast<std::size_t>(i / 4) % unit_defects.size()]);
 }
 
 /// Whether a type of this range holds an exact value as a normal number.

@@ -133,6 +133,25 @@ struct Squares {
   [[nodiscard]] static T factor(const T& length) { return length < T(1) ? larger : smaller; }
 };
 
+/// Along v, of a length whose square holds its digits: v itself, or, of one next to nothing, a multiple.
+template <Ordered T>
+[[nodiscard]] Vec3<T> held_along(const Vec3<T>& v) {
+  const bool lost = formula::dot(v, v) < least_square<T>;
+  return lost ? formula::scaled(Squares<T>::larger, v) : v;
+}
+
+/// The unit vector along v, which may be round-off of the least lengths that there are; false, and n as it was, if v is 0.
+template <Ordered T>
+[[nodiscard]] bool find_unit(const Vec3<T>& v, Vec3<T>& n) {
+  const Vec3<T> held = held_along(v);
+  const T size2 = formula::dot(held, held);
+  if (!(T(0) < size2)) {
+    return false;
+  }
+  n = formula::scaled(T(T(1) / scalar::sqrt(size2)), held);
+  return true;
+}
+
 /// A stone `factor` times as large.
 template <Ordered T>
 [[nodiscard]] Stone<T> scaled(const T& factor, Stone<T> stone) {

@@ -96,8 +96,9 @@ class Octant {
     const T core = cap ? formula::core_sphere_distance(stone_, T(rim.beyond + stone_.bevel_major_radius),
                                                        T(upwards * rim.height), reach)
                        : reach;
-    if (is_inside(away) && T(0) < core) {
-      try_normal(away / reach, best);
+    Vec3<T> n;
+    if (is_inside(away) && T(0) < core && find_unit(away, n)) {
+      try_normal(n, best);
       // Primal and dual: of a distance that is round-off, the direction is, too.
       if (core - stone_.bevel_minor_radius - best.value <= round_off()) {
         return true;

@@ -123,17 +123,14 @@ void turn_to_nearest_rims(const Pair<T>& pair, Vec3<T>& along) {
   constexpr int most_steps = 8;
   const Placed<T>* stones[2] = {&pair.first, &pair.second};
   T c[2];
+  const Vec3<T> start = held_along(along);
   Vec3<T> e[2], f[2];  // out to the point, and along the circle
   for (int i = 0; i < 2; ++i) {
     const Vec3<T>& u = stones[i]->u_W;
     c[i] = stones[i]->stone.bevel_major_radius;
-    f[i] = formula::cross(u, along);
-    const T size2 = formula::dot(f[i], f[i]);
-    if (!(T(0) < size2)) {
+    if (!find_unit(formula::cross(u, start), f[i])) {
       return;
     }
-    const T over = T(1) / scalar::sqrt(size2);
-    f[i] = formula::scaled(over, f[i]);
     e[i] = formula::cross(f[i], u);
   }
   for (int step = 0; step < most_steps; ++step) {
@@ -169,9 +166,9 @@ void turn_to_nearest_rims(const Pair<T>& pair, Vec3<T>& along) {
 template <Ordered T>
 void try_caps(const Pair<T>& pair, PairPoint<T>& best) {
   const auto try_normal = [&](const Vec3<T>& v) {
-    const T size = scalar::sqrt(formula::dot(v, v));
-    if (T(0) < size) {
-      raise(pair, formula::scaled(T(T(1) / size), v), best);
+    Vec3<T> n;
+    if (find_unit(v, n)) {
+      raise(pair, n, best);
     }
   };
   for (const T& sign : {T(1), T(-1)}) {

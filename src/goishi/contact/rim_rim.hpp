@@ -213,12 +213,10 @@ class RimSearch {
     const Vec3<T>& u = pair_.second.u_W;
     const Vec3<T> radial = formula::plus(x, T(-formula::dot(u, x)), u);
     const Vec3<T> w = formula::plus(x, T(-(c2_ / point.rho)), radial);
-    const T size = scalar::sqrt(formula::dot(w, w));
-    if (!(T(0) < size)) {
-      return;
+    Vec3<T> n;
+    if (find_unit(w, n)) {
+      raise(pair_, formula::scaled(apart_ ? T(1) : T(-1), n), best_);
     }
-    const T over = (apart_ ? T(1) : T(-1)) / size;
-    raise(pair_, formula::scaled(over, w), best_);
   }
 
   const Pair<T>& pair_;

@@ -42,7 +42,8 @@ template <Ordered T>
   if (!(T(0) < half1 && T(0) < half2)) {
     return false;
   }
-  const T chord1 = scalar::sqrt(T(half1 / sine2)), chord2 = scalar::sqrt(T(half2 / sine2));
+  const T sine = scalar::sqrt(sine2);  // squares of chords may overflow
+  const T chord1 = scalar::sqrt(half1) / sine, chord2 = scalar::sqrt(half2) / sine;
   const T low = along - chord1 < -chord2 ? T(-chord2) : T(along - chord1);
   const T high = along + chord1 < chord2 ? T(along + chord1) : chord2;
   x = formula::plus(x, T((low + high) / T(2)), t);
@@ -86,15 +87,7 @@ template <Ordered T>
 [[nodiscard]] bool find_maximum(const Pair<T>& pair, PairPoint<T>& best, bool& certified) {
   Vec3<T> along;
   const bool closed = find_apart(pair, along);
-  T size2 = formula::dot(along, along);
-  if (!(T(0) < size2)) {
-    along = pair.between;
-    size2 = formula::dot(along, along);
-  }
-  if (T(0) < size2) {
-    const T over = T(1) / scalar::sqrt(size2);
-    best.n = {T(over * along.x()), T(over * along.y()), T(over * along.z())};
-  } else {
+  if (!find_unit(along, best.n) && !find_unit(pair.between, best.n)) {
     best.n = pair.first.u_W;
   }
   meet_along(pair, best);
@@ -153,11 +146,27 @@ template <Ordered T>
   return result;
 }
 
+/// The sizes of pairs whose rims may be searched. A rim of a core that all but is a point is round-off of the size, and the
+/// search tells what round-off leaves of such a rim: the fourth power of ε times the square of the size is a normal number.
+template <class T>
+struct PairSizes {
+  static constexpr int high = std::numeric_limits<T>::max_exponent, low = std::numeric_limits<T>::min_exponent;
+  static inline const T least = two_to<T>(low / 2 + 2 * std::numeric_limits<T>::digits);
+  // Next to the axis a rim bends by its radius over round-off of 1, and two such bends are multiplied.
+  static inline const T most = two_to<T>(high / 2 - 4 - std::numeric_limits<T>::digits), far = two_to<T>(high / 2);
+  static inline const T larger = far, smaller = two_to<T>(-(high / 8 * 3));
+
+  [[nodiscard]] static bool hold(const T& size) { return least < size && size < most; }
+  [[nodiscard]] static T factor(const T& size) {
+    return size < T(1) ? larger : size < far ? smaller : Squares<T>::smaller;
+  }
+};
+
 /// The same, seen from the second stone in a world of another size.
 template <Ordered T>
 [[gnu::noinline]] [[nodiscard]] Separation<T> separation_rescaled(const Pair<T>& pair) {
   const Placed<T>&first = pair.first, &second = pair.second;
-  const T factor = Squares<T>::factor(pair.scale);
+  const T factor = PairSizes<T>::factor(pair.scale);
   const Stone<T> one = scaled(factor, first.stone), two = scaled(factor, second.stone);
   const Vec3<T> between = factor * first.p_W - factor * second.p_W;
   return scaled_back(factor, second.p_W,
@@ -167,7 +176,7 @@ template <Ordered T>
 template <Ordered T>
 [[nodiscard]] Separation<T> separation(const Placed<T>& first, const Placed<T>& second) {
   const Pair<T> pair(first, second);
-  return Squares<T>::hold(pair.scale) ? separation(pair) : separation_rescaled(pair);
+  return PairSizes<T>::hold(pair.scale) ? separation(pair) : separation_rescaled(pair);
 }
 
 }  // namespace detail

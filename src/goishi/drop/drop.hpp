@@ -124,8 +124,8 @@ class Drop {
   /// An impulse P at a point of W   [N s].
   /// Domain  both finite; else InvalidArgument.
   void apply_impulse(const Vec3<T>& p_W, const Vec3<T>& P_W, EventSink<T> sink = {}) {
-    require(scalar::is_finite(T(p_W.sum())), "p_W", p_W.transpose(), "must be finite");
-    require(scalar::is_finite(T(P_W.sum())), "P_W", P_W.transpose(), "must be finite");
+    require(scalar::is_finite(p_W), "p_W", p_W.transpose(), "must be finite");
+    require(scalar::is_finite(P_W), "P_W", P_W.transpose(), "must be finite");
     const State<T> before = state();
     begin(sink);
     State<T> after = before;

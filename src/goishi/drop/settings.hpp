@@ -132,7 +132,7 @@ void require_settings(const DropSettings<T>& settings) {
     require_positive(argument, value.value_or(T(1)));
   };
   static_cast<void>(make_material(settings.restitution, settings.friction));
-  require(scalar::is_finite(T(settings.gravity.sum())), "gravity", settings.gravity.transpose(), "must be finite");
+  require(scalar::is_finite(settings.gravity), "gravity", settings.gravity.transpose(), "must be finite");
   not_negative("rolling_resistance", settings.rolling_resistance);
   not_negative("pivot_radius", settings.pivot_radius);
   not_negative("slip_coefficient", settings.slip_coefficient);

@@ -88,7 +88,7 @@ class StoneBatch {
   /// Cost    everything inlined: a group's state then stays in registers, which halves the time. If a stone may turn
   ///         by 2³² rad, farther than the batch's sine counts, the stones fly one by one.
   void fly(const Vec3<T>& gravity, const T& t) {
-    require(scalar::is_finite(T(gravity.sum())), "gravity", gravity.norm(), "must be finite");
+    require(scalar::is_finite(gravity), "gravity", gravity.norm(), "must be finite");
     require(scalar::is_finite(t), "time", t, "must be finite");
     const T time = magnitude(t), gain = time * gravity.template lpNorm<Eigen::Infinity>();
     const T speed = speed_ + gain, reach = reach_ + time * (speed_ + gain / T(2));

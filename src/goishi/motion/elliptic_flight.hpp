@@ -256,8 +256,7 @@ template <Ordered T>
                                        const T& t, Freedom freedom = Freedom::both) {
   require_state(state);
   const RigidBody<T> checked = make_rigid_body(body.mass, body.moments);
-  require(scalar::is_finite(T(gravity.x() + gravity.y() + gravity.z())), "gravity", gravity.transpose(),
-          "must be finite");
+  require(scalar::is_finite(gravity), "gravity", gravity.transpose(), "must be finite");
   require(scalar::is_finite(t), "time", t, "must be finite");
   State<T> result = freedom == Freedom::angular ? state : formula::ballistic_flight(state, gravity, t);
   if (freedom != Freedom::linear) {

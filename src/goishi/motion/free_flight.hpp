@@ -95,9 +95,8 @@ template <Ordered T>
 
 template <Ordered T>
 void require_counted(const State<T>& state, const T& t) {
-  const Vec3<T>&p = state.p_WB, &v = state.v_WB;
-  const T sum = ((p.x() + p.y()) + (p.z() + v.x())) + (v.y() + v.z());
-  require(T(0) < state.q_WB.squaredNorm() && scalar::is_finite(sum), "time", t,
+  const bool counted = scalar::is_finite(state.p_WB) && scalar::is_finite(state.v_WB);
+  require(T(0) < state.q_WB.squaredNorm() && counted, "time", t,
           "must not take the body farther than its arithmetic can count");
 }
 
@@ -131,8 +130,7 @@ template <Ordered T>
 [[nodiscard]] State<T> free_flight(const State<T>& state, const TopRates<T>& rates, const Vec3<T>& gravity, const T& t,
                                    Freedom freedom = Freedom::both) {
   require_state(state);
-  require(scalar::is_finite(T(gravity.x() + gravity.y() + gravity.z())), "gravity", gravity.transpose(),
-          "must be finite");
+  require(scalar::is_finite(gravity), "gravity", gravity.transpose(), "must be finite");
   require(scalar::is_finite(t), "time", t, "must be finite");
   State<T> result = freedom == Freedom::angular ? state : formula::ballistic_flight(state, gravity, t);
   if (freedom != Freedom::linear) {

@@ -54,8 +54,7 @@ template <Ordered T>
 /// Throws InvalidArgument unless everything is finite and the attitude a unit quaternion.
 template <Ordered T>
 void require_state(const State<T>& state) {
-  const auto finite = [](const Vec3<T>& v) { return scalar::is_finite(T(v.x() + v.y() + v.z())); };
-  if (!finite(state.p_WB) || !finite(state.v_WB) || !finite(state.L_W)) [[unlikely]] {
+  if (!scalar::is_finite(state.p_WB) || !scalar::is_finite(state.v_WB) || !scalar::is_finite(state.L_W)) [[unlikely]] {
     const auto require_each = [](const char* argument, const Vec3<T>& v) {
       for (const T& coordinate : v) {
         require(scalar::is_finite(coordinate), argument, coordinate, "must be finite");

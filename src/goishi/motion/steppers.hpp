@@ -116,11 +116,11 @@ class Stepper {
         inverse_moments_(body.moments.cwiseInverse()),
         gravity_(gravity),
         freedom_(freedom) {
-    require(scalar::is_finite(T(inverse_moments_.sum())), "moments", body.moments.transpose(),
+    require(scalar::is_finite(inverse_moments_), "moments", body.moments.transpose(),
             "must not be so small that their inverses are no numbers");
     require(Scheme::published <= scheme && scheme <= Scheme::exact, "scheme", static_cast<int>(scheme),
             "must be one of the nine");
-    require(scalar::is_finite(T(gravity.sum())), "gravity", gravity.norm(), "must be finite");
+    require(scalar::is_finite(gravity), "gravity", gravity.norm(), "must be finite");
     const T& x = body.moments.x();
     const T& y = body.moments.y();
     require(!info(scheme).needs_symmetry || (x <= y && y <= x), "moments", body.moments.transpose(),
@@ -177,7 +177,7 @@ class Stepper {
       Vec3<T> p = state.p_WB, v = state.v_WB;
       if (freedom_ != Freedom::angular) {
         move<scheme>(p, v, dt);
-        if (!scalar::is_finite(T(p.sum() + v.sum()))) {
+        if (!(scalar::is_finite(p) && scalar::is_finite(v))) {
           result.status = StepStatus::diverged;
           break;
         }
@@ -222,7 +222,7 @@ class Stepper {
     const Quat<T> q = state.q_WB;
     if constexpr (scheme == Scheme::published) {
       const auto [next, L_W] = detail::published_turn(q, angular_velocity(state), body_, dt);
-      if (!scalar::is_finite(T(L_W.sum())) || settle(state, next) != StepStatus::completed) {
+      if (!scalar::is_finite(L_W) || settle(state, next) != StepStatus::completed) {
         return StepStatus::diverged;
       }
       state.L_W = L_W;

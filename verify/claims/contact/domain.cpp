@@ -16,15 +16,38 @@ namespace {
 
 using namespace domain;
 
+/// Two balls at one place but for so little that its square keeps no digits, or vanishes, in a scene `factor` times as large;
+/// or two stones of any shape at one place to the bit, their axes those of the world.
+template <class T>
+void put_at_one_place(Context& context, Drawn& drawn, const T& factor, bool balls) {
+  using Limits = std::numeric_limits<T>;
+  drawn.pose.p_WB = drawn.other_pose.p_WB = Vec3<double>::Zero();
+  if (!balls) {
+    drawn.pose.q_WB = draw_exact_attitude(context);
+    drawn.other_pose.q_WB = draw_exact_attitude(context);
+    return;
+  }
+  for (Specimen* one : {&drawn.first, &drawn.second}) {
+    one->shape.height = one->shape.width;
+    one->stone = make_stone(one->shape.width, one->shape.height, one->shape.bevel);
+  }
+  const double little =
+      std::exp2(context.uniform(Limits::min_exponent - 2 * Limits::digits, Limits::min_exponent + Limits::digits) / 2);
+  drawn.other_pose.p_WB = little / static_cast<double>(factor) * draw_unit(context);
+}
+
 template <class T>
 void see_magnitudes(Context& context, Checks& checks, int count) {
   for (int i = 0; i < count; ++i) {
-    const Drawn drawn = draw(context, i);
-    const Scene<T> usual = make_scene<T>(drawn, T(1));
-    const auto [smallest, largest] = sizes_taken(usual);
+    Drawn drawn = draw(context, i);
+    const auto [smallest, largest] = sizes_taken(make_scene<T>(drawn, T(1)));
     const int e =
         i % 8 == 0 ? (i % 16 == 0 ? largest : smallest) : static_cast<int>(context.uniform(smallest, largest));
     const T factor = std::ldexp(T(1), e);
+    if (i % 5 == 3) {
+      put_at_one_place(context, drawn, factor, i % 2 == 0);
+    }
+    const Scene<T> usual = make_scene<T>(drawn, T(1));
     const Scene<T> other = make_scene<T>(drawn, factor);
     const Long scale = size_of(usual) * epsilon_of<T>;
     const auto expected = separations(usual), found = separations(other);
@@ -303,7 +326,8 @@ std::vector<Claim> domain_contact_claims() {
           "the same scene at its usual size; the factor is a power of two", OracleFamily::relation,
           {in_epsilon("gap", 2.0, "a search in another world of another size rounds as it does in this one"),
            within("time", 1.0, "ε of float or double, of the horizon", "the same", 0.25)},
-          {{"contact/stone_stone.hpp", "return Squares<T>::hold(pair.scale) ?", "return true ?"}},
+          {{"contact/stone_stone.hpp", "return PairSizes<T>::hold(pair.scale) ?", "return true ?"},
+           {"contact/contact.hpp", "formula::dot(v, v) < least_square<T>", "false"}},
           [](Context& c, Checks& checks, int count, auto t) { see_magnitudes<decltype(t)>(c, checks, count); }, 1500,
           20000),
       claim(

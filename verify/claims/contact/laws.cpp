@@ -213,7 +213,7 @@ std::vector<Claim> contact_law_claims() {
        .checks = {within("gap", 5e-15, "of width, distance and the sphere's radius together",
                          "the points are rounded; measured 2026-11-30 with 13 seeds: up to 1.1e-15", epsilon),
                   none("defects", "faults")},
-       .mutants = {{"contact/stone_stone.hpp", "if (T(0) < size2) {", "if (true) {"},
+       .mutants = {{"contact/contact.hpp", "!(T(0) < size2)", "false"},
                    {"contact/contact.hpp", "T(-result.gap), n_W)", "T(result.gap), n_W)"}},
        .measure = measure_million},
   };

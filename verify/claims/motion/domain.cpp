@@ -32,7 +32,7 @@ Top<T> draw_any_top(Context& context, int i) {
                                                  draw_attitude(context.random())};
   Quat<T> q = attitudes[static_cast<std::size_t>(i / 4) % attitudes.size()].template cast<T>().normalized();
   const int defect = unit_defects[static_cast<std::size_t>(i / 3) % unit_defects.size()];
-  q.coeffs() *= defective<T>(defect);
+  q.coeffs() = defective<T, 4>(q.coeffs(), defect);
   const std::array<Vec3<T>, 4> spins = {Vec3<T>(T(0), T(0), T(1)), Vec3<T>(T(0), T(1), T(0)), Vec3<T>(T(0), T(0), T(0)),
                                         draw_attitude(context.random()).template cast<T>() * Vec3<T>(T(1), T(0), T(0))};
   const T time = any_size<T>(context.random(), single ? 8.0 : 60.0);

@@ -213,7 +213,7 @@ void see_surfaces(Context& context, Checks& checks, int count) {
                                                Vec3<T>(stone->joint_cosine, zero, stone->joint_sine).normalized(),
                                                Vec3<T>(draw(), draw(), draw()).normalized()};
     const int defect = unit_defects[static_cast<std::size_t>(i / 4) % unit_defects.size()];
-    const Vec3<T> n = defective<T>(defect) * directions[static_cast<std::size_t>(i) % directions.size()];
+    const Vec3<T> n = defective<T, 3>(directions[static_cast<std::size_t>(i) % directions.size()], defect);
     const auto describe_direction = [&] {
       return fmt::format("{}, n = ({:a}, {:a}, {:a}), mode {}", describe(shape), n.x(), n.y(), n.z(), mode);
     };
