@@ -390,7 +390,7 @@ std::vector<Claim> order_claims() {
        .family = OracleFamily::invariant,
        .oracle = "finite numbers, |q| = 1, and the good steps alone",
        .checks = {{.unit = "count", .bound = 0.0, .reason = "exact", .counts = true}},
-       .mutants = {{"motion/steppers.hpp", "if (!scalar::is_finite(T(p.sum() + v.sum())))", "if (false)"},
+       .mutants = {{"motion/steppers.hpp", "if (!(scalar::is_finite(p) && scalar::is_finite(v)))", "if (false)"},
                    {"motion/steppers.hpp", "if (!(T(1) / T(4) < square && square < T(4)))", "if (square < T(0))"}},
        .measure = measure_too_large},
   };
