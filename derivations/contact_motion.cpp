@@ -84,6 +84,7 @@ void motion(Document& document, const Touching& stone) {
       R"(Per unit of mass. $J = I^{-1}$ has the inverse moments $1/I_t$ across the axis and $1/I_a$ along it. The axis
 is fixed in the body, $\dot u = \omega \times u$.)");
   document.shipped("formula::contact_place", "drop/equations/contact_motion.hpp");
+  document.shipped("formula::contact_turn", "drop/equations/contact_motion.hpp");
   document.shipped("formula::contact_motion", "drop/equations/contact_motion.hpp");
   document.prove({.text = "the result holds the $u$ and $L$ that it was given",
                   .result = components(Vector(stone.now.u - 2 * stone.now.L)),

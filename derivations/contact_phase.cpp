@@ -45,7 +45,7 @@ struct Moved : Touching {
   Vector centre = slip - w.cross(r());
   goishi::detail::Kinetics<ex> kinetics{now, tau, formula::turned_point(mobility, u, now.r, tau)};
   ex damped = formula::damping_power<ex>(now, c, sx, sy);
-  goishi::detail::Variables<ex> rates = formula::contact_rates<ex>(kinetics, c, damped, F, sx, sy, origin);
+  goishi::detail::Variables<ex> rates = formula::contact_rates<ex>(kinetics, tau, c, damped, F, sx, sy, origin);
   Vector L_rate = there(Vector(r().cross(F))) + Vector(F.z() * tau) - Vector(c * L);
 
   [[nodiscard]] Vector three(std::size_t from) const {

@@ -19,6 +19,7 @@ void laws(Document& document) {
 $b = J\tau \times r$ is what the resistance of a normal force 1, its torque $\tau$, does to the contact point
 (chapter *A stone in contact with a plane*, as are $W$ and $\mathrm{need}$). Then $\dot s = N(W q + b) -
 \mathrm{need}$, and along the slip and across it $\dot s$ is $\dot\sigma$ and $\sigma\dot\varphi$.)");
+  document.shipped("formula::slip_under", "drop/equations/slip.hpp");
   document.shipped("formula::slip_rate", "drop/equations/slip.hpp");
   const realsymbol c("c"), s("s");
   const Vector gained = M * Vector(-mu * c, -mu * s, 1) + b;

@@ -128,7 +128,7 @@ Numbers rational_drop_formulas() {
   numbers.add(formula::reunited_axis(u));
   const detail::Kinetics<T> kinetics{now, L, brake};
   const T damped = formula::damping_power(now, T(3), T(2), T(-1));
-  for (const T& rate : formula::contact_rates(kinetics, T(3), damped, brake, T(2), T(-1), vector<T>(0, 0, 1))) {
+  for (const T& rate : formula::contact_rates(kinetics, L, T(3), damped, brake, T(2), T(-1), vector<T>(0, 0, 1))) {
     numbers.add(rate);
   }
   numbers.add(formula::resistance_slope(T(4), T(9), T(2), L, brake));

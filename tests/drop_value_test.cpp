@@ -271,6 +271,23 @@ TEST(DropValue, AnImpulseInTheAirActsThere) {
   EXPECT_EQ(told[1].kind, EventKind::push);
 }
 
+TEST(DropValue, WhatWasStaysSoUnderAnotherGravity) {
+  Drop<double> drop = drop_of(rough());
+  drop.keep_motion();
+  drop.advance_to(0.5);
+  std::vector<State<double>> before;
+  for (int i = 0; i < 500; ++i) {
+    before.push_back(drop.state_at(i * 1e-3));
+  }
+  DropSettings<double> settings = rough().settings;
+  settings.gravity = {3.0, -2.0, -1.0};
+  drop.change(settings);
+  drop.advance(0.1);
+  for (int i = 0; i < 500; ++i) {
+    EXPECT_TRUE(same(drop.state_at(i * 1e-3), before[static_cast<std::size_t>(i)])) << i;
+  }
+}
+
 TEST(DropValue, AnotherBoardLetsItFall) {
   Thrown thrown;
   const Board<double> board = make_board<double>();
@@ -320,6 +337,10 @@ TEST(DropValue, RefusesWhatIsNot) {
   for (const double dt : {-1e-300, no_number, unbounded}) {
     EXPECT_NE(refused([&] { drop.advance(dt); }).find("dt"), std::string::npos) << dt;
   }
+  Drop<double> late = drop_of(Thrown{});
+  late.advance_to(1.7e308);
+  EXPECT_NE(refused([&] { late.advance(1e308); }).find("dt"), std::string::npos);
+  EXPECT_EQ(late.status(), DropStatus::rest);
   for (const double time : {0.0999, no_number, unbounded}) {
     EXPECT_NE(refused([&] { drop.advance_to(time); }).find("time"), std::string::npos) << time;
   }

@@ -11,18 +11,13 @@ namespace goishi::cli {
 
 namespace {
 
-/// Of motion that is kept, of some 800 bytes each.
-constexpr std::size_t most_stretches = 4'000'000;
-
 /// At a time that was asked for: a stone at rest stays.
-DropSample sample_at(const DropScene& scene, Drop<double>& drop, const std::string& text) {
+DropSample sample_at(const DropScene& scene, const DropResult<double>& result, const std::string& text) {
   const double time = to_double("at", parse("at", text, measure::time), "a drop", drop_order);
   require(0 <= time, "at", time, "must not be before the start");
-  if (drop.time() < time && (drop.status() == DropStatus::rest || drop.status() == DropStatus::rest_leaning)) {
-    drop.advance_to(time);
-  }
-  require(time <= drop.time(), "at", time, "is after the end of the drop, at ", drop.time(), " s");
-  return sample_of(scene, time, drop.state_at(time));
+  const bool rests = result.status == DropStatus::rest || result.status == DropStatus::rest_leaning;
+  require(rests || time <= result.time, "at", time, "is after the end of the drop, at ", result.time, " s");
+  return samples_of(scene, {time}).front();
 }
 
 int exit_status(DropStatus status) {
@@ -48,16 +43,13 @@ int run_drop(const DropOptions& options) {
   const DropScene scene = scene_of(options);
   const int rows = options.series ? parse_whole("series", *options.series, 2, most_drop_rows) : 0;
   Drop<double> drop = drop_of(scene);
-  if (0 < rows || options.at) {
-    drop.keep_motion(most_stretches);
-  }
   const DropResult<double> result = followed(drop);
   std::optional<DropSample> asked;
   if (options.at) {
-    asked = sample_at(scene, drop, *options.at);
+    asked = sample_at(scene, result, *options.at);
   }
   if (0 < rows) {
-    write_file("csv", *options.csv, to_csv(series_of(scene, drop, rows)));
+    write_file("csv", *options.csv, to_csv(series_of(scene, result.time, rows)));
   }
   write_standard_output(options.format == "json" ? to_json(scene, result, asked) : to_block(scene, result, asked));
   const int status = exit_status(result.status);

@@ -47,14 +47,25 @@ Touched touched_last(const DropScene& scene, const DropResult<double>& drop) {
   return Touched::floor;
 }
 
-std::vector<DropSample> series_of(const DropScene& scene, const Drop<double>& drop, int rows) {
+std::vector<DropSample> samples_of(const DropScene& scene, const std::vector<double>& times) {
+  Drop<double> drop = drop_of(scene);
   std::vector<DropSample> samples;
-  samples.reserve(static_cast<std::size_t>(rows));
-  for (int row = 0; row < rows; ++row) {
-    const double time = row == rows - 1 ? drop.time() : drop.time() * row / (rows - 1);
-    samples.push_back(sample_of(scene, time, drop.state_at(time)));
+  samples.reserve(times.size());
+  for (const double time : times) {
+    do {
+      drop.advance_to(time);
+    } while (drop.time() < time);  // whatever stops it on its way
+    samples.push_back(sample_of(scene, time, drop.state()));
   }
   return samples;
+}
+
+std::vector<DropSample> series_of(const DropScene& scene, double end, int rows) {
+  std::vector<double> times(static_cast<std::size_t>(rows));
+  for (int row = 0; row < rows; ++row) {
+    times[static_cast<std::size_t>(row)] = row == rows - 1 ? end : end * row / (rows - 1);
+  }
+  return samples_of(scene, times);
 }
 
 }  // namespace goishi::cli

@@ -32,7 +32,11 @@ enum class Touched { nothing, board, plane, floor };
 
 [[nodiscard]] Touched touched_last(const DropScene& scene, const DropResult<double>& drop);
 
-/// `rows` times, equally spaced from the start to the present of a drop that has kept its motion.
-[[nodiscard]] std::vector<DropSample> series_of(const DropScene& scene, const Drop<double>& drop, int rows);
+/// The drop once more, with its state at times that rise. No motion is kept: it goes from one to the next, which changes
+/// no bit of it.
+[[nodiscard]] std::vector<DropSample> samples_of(const DropScene& scene, const std::vector<double>& times);
+
+/// At so many times, equally spaced from the start to the end.
+[[nodiscard]] std::vector<DropSample> series_of(const DropScene& scene, double end, int rows);
 
 }  // namespace goishi::cli

@@ -13,6 +13,7 @@
 #include <goishi/drop/settings.hpp>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace goishi {
 
@@ -60,7 +61,8 @@ class Drop {
   /// time is over or `maximum_impacts` have happened since; time goes on for a stone at rest, too.
   /// Domain  dt >= 0 and finite; 0 < budget; else InvalidArgument.
   DropStatus advance(const T& dt, EventSink<T> sink = {}, std::optional<int> budget = {}) {
-    require(T(0) <= dt && scalar::is_finite(dt), "dt", dt, "must be finite and at least 0");
+    require(T(0) <= dt && scalar::is_finite(T(now_ + dt)), "dt", dt,
+            "must be finite, the time after it too, and at least 0");
     return go(T(now_ + dt), false, sink, budget);
   }
 
@@ -94,16 +96,17 @@ class Drop {
 
   // --- what it was
 
-  /// Keeps the motion from now on: the last `most` stretches, of `sizeof(detail::Stretch<T>)` bytes each (a drop from 5 cm
-  /// at tolerance 1e-6 has some 300, hops along an edge some thousands). 0 keeps none.
+  /// Keeps the motion from now on: the last `most` stretches, of `sizeof(detail::Stretch<T>)` bytes each, 736 in
+  /// double (a flight, a step of the contact phase or a hop along an edge is one). 0 keeps none.
   void keep_motion(std::size_t most = 100000) { log_.keep(most); }
 
   /// The state at a time of the past. Where an event changes it at once, before or after that; after several, if they are
   /// at one time.
   ///
   /// Domain  from `motion_begin()` to `time()`; else InvalidArgument.
-  /// Error   flights: as `free_flight`. Contact: of a polynomial of degree 5 along a step (3 where friction is stiff).
-  /// Cost    a search, and some 100 ns.
+  /// Error   flights: as `free_flight`. Contact: of a polynomial of degree 5 along a step, 3 where friction is stiff; some
+  ///         tolerances at most, as a rule (claim DROP-33).
+  /// Cost    a search among the stretches, a polynomial, an attitude: bench, drop-state-at.
   [[nodiscard]] State<T> state_at(const T& time, Side side = Side::after) const {
     require(time <= now_, "time", time, "is after what has been computed, up to ", now_);
     require(motion_begin() <= time, "time", time,
@@ -132,12 +135,10 @@ class Drop {
     after.v_WB = after.v_WB + P_W / run_.body.mass;
     after.L_W = after.L_W + formula::cross(Vec3<T>(p_W - before.p_WB), P_W);
     restart(after);
-    run_.sink = sink;
-    run_.record(EventKind::push, before, [&](Event<T>& event) {
+    tell(sink, EventKind::push, before, [&](Event<T>& event) {
       event.impulse_W = P_W;
       event.contact_W = p_W;
     });
-    run_.sink = {};
   }
 
   /// Other settings from now on, gravity among them. A stone at rest wakes if they move it, and else stays at rest.
@@ -174,19 +175,22 @@ class Drop {
     given_ = settings;
     run_.board = board;
     restart(now);
+    tell(sink, EventKind::woken, now);
+  }
+
+  template <class... Fill>
+  void tell(EventSink<T> sink, EventKind kind, const State<T>& before, Fill&&... fill) {
     run_.sink = sink;
-    run_.record(EventKind::woken, now);
+    run_.record(kind, before, std::forward<Fill>(fill)...);
     run_.sink = {};
   }
 
   /// Tells that it has begun, if it has just now.
   void begin(EventSink<T> sink) {
-    run_.sink = sink;
     if (!begun_) {
-      run_.record(EventKind::start, run_.state);
+      begun_ = true;
+      tell(sink, EventKind::start, run_.state);
     }
-    begun_ = true;
-    run_.sink = {};
   }
 
   /// From the present time, in another state or under other settings.

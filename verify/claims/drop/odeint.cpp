@@ -92,7 +92,7 @@ std::vector<Claim> drop_odeint_claims() {
                   none("faults", "faults")},
        .mutants = {{"drop/equations/contact_motion.hpp", "along * gyration.x()", "along * gyration.y()"},
                    {"drop/equations/slip.hpp", "rate.across = a_y * c - a_x * s;", "rate.across = a_y * c;"},
-                   {"drop/equations/kinetics.hpp", "T(moment.y() + N * k.torque.y()", "T(moment.y() + k.torque.y()"}},
+                   {"drop/equations/kinetics.hpp", "T(moment.y() + N * torque.y()", "T(moment.y() + torque.y()"}},
        .measure = measure_contact}};
 }
 

@@ -205,45 +205,25 @@ Measurement measure_any_time(Context& context) {
 // --- DROP-34
 
 Measurement measure_stages(Context& context) {
-  namespace at = detail::at;
   Checks checks;
   for (int i = 0; i < context.samples(2000, 20000); ++i) {
     const Subject subject = draw_subject(context, i % 5 == 0 || i % 5 == 1 ? i : 0);
-    const Stone<double>& stone = subject.specimen.stone;
-    DropSettings<double> settings = subject.settings;
-    settings.damping = i % 3 == 0 ? context.uniform(0.0, 5.0) : 0.0;
     const double m = subject.body.mass;
     const Moments<double> per_mass{subject.body.moments.z() / m, subject.body.moments.x() / m};
-    const detail::ContactBody<double> body = detail::contact_body<double>(stone, per_mass, settings, g_earth);
+    const detail::ContactBody<double> body =
+        detail::contact_body<double>(subject.specimen.stone, per_mass, subject.settings, g_earth);
     const Vec3<double> u = draw_attitude(context.random()) * Vec3<double>::UnitZ();
     const Feature feature = i % 3 == 0 ? Feature::rim : u.z() > 0.0 ? Feature::lower_cap : Feature::upper_cap;
     const Vec3<double> L = per_mass.transverse * 30.0 * (draw_attitude(context.random()) * Vec3<double>::UnitX());
-    const double sigma = context.uniform(0.0, 0.3), phi = context.uniform(-3.0, 3.0), c = std::cos(phi),
-                 s = std::sin(phi);
-    detail::Variables<double> y = {u.x(), u.y(), u.z(), 0.1, 0.2, 0.3, 0.0, L.x(), L.y(), L.z(), sigma, phi};
-    const Vec3<double> origin = (u + Vec3<double>(0.1, 0.2, -0.1)).normalized();
+    const double phi = context.uniform(-3.0, 3.0), c = std::cos(phi), s = std::sin(phi);
+    const detail::Variables<double> y = {u.x(), u.y(), u.z(), 0.0, 0.0, 0.0, 0.0, L.x(), L.y(), L.z(), 0.0, 0.0};
     const detail::Kinetics<double> now = detail::kinetics(body, feature, y);
     const StageMotion<double> stage = detail::stage_motion(body, feature, y);
-    const auto see = [&](const detail::Variables<double>& lean, const detail::Variables<double>& whole,
-                         const char* name) {
-      for (const auto& [from, count] :
-           {std::pair{at::u, 3U}, {at::x, 2U}, {at::spin, 1U}, {at::loss, 1U}, {at::L, 3U}}) {
-        double off = 0.0, size = 0.0;
-        for (std::size_t k = from; k < from + count; ++k) {
-          off += std::pow(context.produced(lean[k]) - whole[k], 2);
-          size += std::pow(whole[k], 2);
-        }
-        // Of the angular momentum's rate, and of what is lost, what their parts are is much more than their sum.
-        const double weight = 9.8 * (from == at::L ? stone.width : from == at::loss ? 0.1 + stone.width : 1.0);
-        checks[name].see(std::sqrt(off) / (std::sqrt(size) + weight), [&] {
-          return fmt::format("axis ({:a}, {:a}, {:a}), variable {}", u.x(), u.y(), u.z(), from);
-        });
-      }
-    };
+    const auto told = [&] { return fmt::format("axis ({:a}, {:a}, {:a})", u.x(), u.y(), u.z()); };
     if (0.0 < formula::stage_room(stage) && 0.0 < formula::stage_weight(body.mobility, stage)) {
-      const Vec3<double> force = formula::rolling_force(now.W, now.brake, now.need);
-      see(formula::stage_rolling(body.mobility, stage, body.damping, origin),
-          detail::rates(body, now, force, 0.0, 0.0, origin), "rolling");
+      const Vec3<double> whole = formula::rolling_force(now.W, now.brake, now.need);
+      const Vec3<double> lean = context.produced(formula::stage_rolling_force(body.mobility, stage));
+      checks["rolling"].see((lean - whole).norm() / (whole.norm() + now.need.norm()), told);
     }
     const double mu = context.uniform(0.05, 0.5);
     const SlipRate<double> lean = formula::stage_slip(body.mobility, stage, mu, c, s);
@@ -252,12 +232,8 @@ Measurement measure_stages(Context& context) {
       const double size = std::fabs(whole.N) + now.need.norm() + whole.N * now.W.zz;
       for (const double off : {lean.along - whole.along, lean.across - whole.across, lean.N - whole.N,
                                0.1 * (lean.across_slope - whole.across_slope)}) {
-        checks["slip"].see(std::fabs(context.produced(off + size) - size) / size,
-                           [&] { return fmt::format("axis ({:a}, {:a}, {:a})", u.x(), u.y(), u.z()); });
+        checks["slip"].see(std::fabs(context.produced(off + size) - size) / size, told);
       }
-      const Vec3<double> force = formula::friction_force(whole.N, mu * whole.N, c, s);
-      see(formula::stage_sliding(body.mobility, stage, lean, mu, c, s, sigma, body.damping, origin),
-          detail::rates(body, now, force, sigma * c, sigma * s, origin), "sliding");
     }
   }
   return checks.measurement();
@@ -275,9 +251,8 @@ std::vector<Claim> drop_value_claims() {
        .family = OracleFamily::relation,
        .oracle = "the same drop in one piece",
        .checks = {none("cuts", "drops that differ")},
-       .mutants = {{"drop/drop.hpp", "now_ = !ends ? until", "now_ = run_.time = !ends ? until"},
-                   {"drop/steps/integrator.hpp", "T h = longest < step_ ? longest : step_;",
-                    "T h = longest < step_ ? longest : step_ + T(0) * T(++run.counters.impacts);"}},
+       .mutants = {{"drop/drop.hpp", "present_ = planned();", "present_ = planned(); planned_ = false;"},
+                   {"drop/drop.hpp", "if (!planned_) {", "if (true) {"}},
        .measure = measure_cuts},
       {.id = "DROP-33",
        .statement =
@@ -290,20 +265,20 @@ std::vector<Claim> drop_value_claims() {
        .oracle = "a fresh drop, at 1e-12, from the state up to 2 ms before",
        .checks = {within("place", 5.0, "of the tolerance, half widths and rad",
                          "ninety-nine times in a hundred, of a bar of 10: a few steps' errors, and the polynomial's; a "
-                         "change of the equations between may magnify more. Measured 2026-11-30 with 12 seeds: up to "
-                         "0.6",
+                         "change of the equations between may magnify more. Measured 2026-11-30 with 20 seeds: up to "
+                         "1.4",
                          0.1),
                   within("momenta", 10.0, "of the tolerance, of the stone's own speed",
-                         "the same; measured 2026-11-30 with 12 seeds: up to 1.6", 0.2),
+                         "the same; measured 2026-11-30 with 20 seeds: up to 1.6", 0.2),
                   within("energy", 1.0, "of the tolerance, of the stone's own speed squared",
-                         "the same, of a bar of 1; measured 2026-11-30 with 12 seeds: up to 0.5", 0.02),
+                         "the same, of a bar of 1; measured 2026-11-30 with 20 seeds: up to 0.6", 0.02),
                   within("jumps", 0.1, "of the tolerance, of the stone's own speed",
                          "at an event a turning or slip that is next to nothing is made nothing; measured 2026-11-30 "
                          "with 12 seeds: up to 7e-3",
                          1e-3),
                   within("derivative", 1.0, "of 30 tolerances and 1e-10, of the stone's own speed",
                          "ninety-nine times in a hundred: a polynomial's derivative is off by more than itself, over a "
-                         "step; measured 2026-11-30: of the worst, up to 1.5 with 12 seeds",
+                         "step; measured 2026-11-30 with 20 seeds: up to 0.4",
                          0.02),
                   within("events", 10.0, "ulp of the width, and of where it is",
                          "the stretch ends where the event is, by some roundings; measured 2026-11-30 with 12 seeds: "
@@ -312,18 +287,19 @@ std::vector<Claim> drop_value_claims() {
                    {"drop/motion/stretch.hpp", "T(t / touching->length)", "T(t / (T(1.0001) * touching->length))"}},
        .measure = measure_any_time},
       {.id = "DROP-34",
-       .statement = "At the inner stages of a step the rates are those of the equations, in another form.",
-       .function = "formula::stage_rolling, formula::stage_sliding",
+       .statement = "At the inner stages of a step the forces of rolling and of dry slip, which are worked out without "
+                    "the contact matrix, are those that it gives.",
+       .function = "formula::stage_rolling_force, formula::stage_slip",
        .family = OracleFamily::other_formula,
-       .oracle = "contact_motion, rolling_force, slip_rate and contact_rates",
-       .checks = {within("rolling", 1e-14, "relative",
-                         "some roundings; measured 2026-11-30 with 12 seeds: 3.2e-16 to 1.3e-15"),
-                  within("sliding", 5e-15, "relative", "the same; measured 2026-11-30 with 12 seeds: up to 5.9e-16"),
-                  within("slip", 1e-14, "relative", "the same; measured 2026-11-30 with 12 seeds: up to 1.6e-15")},
+       .oracle = "contact_motion, rolling_force and slip_rate",
+       .checks = {within("rolling", 4e-14, "relative",
+                         "roundings, more where resistance leaves a normal force little room; measured 2026-11-30 with "
+                         "20 seeds: 7.7e-16 to 7.7e-15"),
+                  within("slip", 1e-14, "relative", "the same; measured 2026-11-30 with 20 seeds: up to 1.8e-15")},
        .mutants = {{"drop/equations/stage_rates.hpp", "const T beta = mobility.axial / at.lambda_c",
                     "const T beta = mobility.axial / at.lambda"},
-                   {"drop/equations/stage_rates.hpp", "rate.across_slope = b_y * c - b_x * s - rate.along;",
-                    "rate.across_slope = b_y * c - b_x * s;"}},
+                   {"drop/equations/stage_rates.hpp", "- turned * r.x() + crossed * at.c.x()",
+                    "- turned * r.x() - crossed * at.c.x()"}},
        .measure = measure_stages},
   };
 }

@@ -36,11 +36,16 @@ struct ContactPlace {
 
 /// And how that goes on. Rates are those of ω alone: forces do not enter.
 template <class T>
-struct ContactMotion : ContactPlace<T> {
-  Vec3<T> u_rate;      // [1/s] ω × u
-  T spin_rate;         // [1/s] ω · u
-  ContactMatrix<T> W;  // acceleration of that point = W F − `need` under a force F on it
-  Vec3<T> need;        // [m/s²]
+struct ContactTurn : ContactPlace<T> {
+  Vec3<T> u_rate;  // [1/s] ω × u
+  T spin_rate;     // [1/s] ω · u
+  Vec3<T> need;    // [m/s²] acceleration of that point = W F − `need` under a force F on it
+};
+
+/// And what a force does.
+template <class T>
+struct ContactMotion : ContactTurn<T> {
+  ContactMatrix<T> W;
 };
 
 /// What forces and torques make of a motion in contact, or a motion itself.
@@ -87,18 +92,17 @@ template <Field T>
   return now;
 }
 
-/// Its point's rates, and what a force does to it:
+/// How that goes on, without a force:
 ///
 ///     ṙ = S'' η̇ (η ẑ − u) − S' u̇,   J L = ω,   J̇ L = (1/I_a − 1/I_t) (u · L) u̇
-///     need = −g − J̇ L × r − ω × ṙ,   d/dt (v + ω × r) = W F + J τ × r − need
+///     need = −g − J̇ L × r − ω × ṙ
 ///
-/// with F the force at the contact and τ a torque beside it.
 /// Domain  |u| = 1.   Proof  derivations/contact_motion.cpp.
 template <Field T>
-[[nodiscard]] inline ContactMotion<T> contact_motion(const Mobility<T>& mobility, const Vec3<T>& gravity,
-                                                     const ContactGeometry<T>& geometry, const Vec3<T>& u,
-                                                     const Vec3<T>& L) {
-  ContactMotion<T> now;
+[[nodiscard]] inline ContactTurn<T> contact_turn(const Mobility<T>& mobility, const Vec3<T>& gravity,
+                                                 const ContactGeometry<T>& geometry, const Vec3<T>& u,
+                                                 const Vec3<T>& L) {
+  ContactTurn<T> now;
   static_cast<ContactPlace<T>&>(now) = formula::contact_place(mobility, geometry, u, L);
   const T momentum = formula::dot(u, L);
   const T along = mobility.axial * momentum;
@@ -107,11 +111,22 @@ template <Field T>
   const T turn = geometry.curvature * now.u_rate.z();
   const Vec3<T> r_rate(T(-(turn * u.x() + geometry.slope * now.u_rate.x())),
                        T(-(turn * u.y() + geometry.slope * now.u_rate.y())), T(-(geometry.slope * now.u_rate.z())));
-  now.W = formula::contact_matrix(mobility, u, now.r);
   const Vec3<T> gyration = formula::cross(now.u_rate, now.r), swept = formula::cross(now.w, r_rate);
   now.need = {T(-(gravity.x() + along * gyration.x() + swept.x())),
               T(-(gravity.y() + along * gyration.y() + swept.y())),
               T(-(gravity.z() + along * gyration.z() + swept.z()))};
+  return now;
+}
+
+/// And what a force F at the contact and a torque τ beside it do: d/dt (v + ω × r) = W F + J τ × r − need.
+/// Domain  |u| = 1.   Proof  derivations/contact_motion.cpp.
+template <Field T>
+[[nodiscard]] inline ContactMotion<T> contact_motion(const Mobility<T>& mobility, const Vec3<T>& gravity,
+                                                     const ContactGeometry<T>& geometry, const Vec3<T>& u,
+                                                     const Vec3<T>& L) {
+  ContactMotion<T> now;
+  static_cast<ContactTurn<T>&>(now) = formula::contact_turn(mobility, gravity, geometry, u, L);
+  now.W = formula::contact_matrix(mobility, u, now.r);
   return now;
 }
 

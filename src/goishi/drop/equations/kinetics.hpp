@@ -67,22 +67,22 @@ template <Field T>
 /// What damping with the rate c takes of the energy   [m²/s³]: 2 c times what is kinetic.
 /// Proof  derivations/contact_phase.cpp.
 template <Field T>
-[[nodiscard]] inline T damping_power(const ContactMotion<T>& now, const T& damping, const T& s_x, const T& s_y) {
+[[nodiscard]] inline T damping_power(const ContactPlace<T>& now, const T& damping, const T& s_x, const T& s_y) {
   return T(2) * damping * formula::contact_kinetic_energy(now, s_x, s_y);
 }
 
 /// The rates of the contact phase's variables but the slip's, of a contact point that slips with (s_x, s_y) under a
-/// force F per unit of mass; the resistance goes with F's normal part N. The axis turns with ω; the centre moves with
-/// s − ω × r; L̇ = r × F + N τ − c L; the loss is what friction, resistance and damping take, the last given as
+/// force F per unit of mass; the torque τ of resistance goes with F's normal part N. The axis turns with ω; the centre
+/// moves with s − ω × r; L̇ = r × F + N τ − c L; the loss is what friction, resistance and damping take, the last given as
 /// `damped`; the spin angle is that of an attitude carried from the axis `origin`.
 /// Proof  derivations/contact_phase.cpp.
 template <Field T>
-[[nodiscard]] inline detail::Variables<T> contact_rates(const detail::Kinetics<T>& k, const T& damping, const T& damped,
-                                                        const Vec3<T>& F, const T& s_x, const T& s_y,
-                                                        const Vec3<T>& origin) {
+[[nodiscard]] inline detail::Variables<T> contact_rates(const ContactTurn<T>& k, const Vec3<T>& torque,
+                                                        const T& damping, const T& damped, const Vec3<T>& F,
+                                                        const T& s_x, const T& s_y, const Vec3<T>& origin) {
   const Vec3<T> moment = formula::cross(k.r, F), v = formula::centre_velocity(k, s_x, s_y);
   const T N = F.z();
-  const T lost = -(F.x() * s_x + F.y() * s_y + N * formula::dot(k.torque, k.w)) + damped;
+  const T lost = -(F.x() * s_x + F.y() * s_y + N * formula::dot(torque, k.w)) + damped;
   return {k.u_rate.x(),
           k.u_rate.y(),
           k.u_rate.z(),
@@ -90,9 +90,9 @@ template <Field T>
           v.y(),
           formula::carried_spin_rate(origin, k.u, k.u_rate, k.spin_rate),
           lost,
-          T(moment.x() + N * k.torque.x() - damping * k.L.x()),
-          T(moment.y() + N * k.torque.y() - damping * k.L.y()),
-          T(moment.z() + N * k.torque.z() - damping * k.L.z()),
+          T(moment.x() + N * torque.x() - damping * k.L.x()),
+          T(moment.y() + N * torque.y() - damping * k.L.y()),
+          T(moment.z() + N * torque.z() - damping * k.L.z()),
           T(0),
           T(0)};
 }
@@ -171,10 +171,16 @@ template <Ordered T>
 
 /// `formula::contact_rates`, where nothing is damped without the energy that damping would take.
 template <Ordered T>
+[[nodiscard]] inline Variables<T> rates(const ContactBody<T>& body, const ContactTurn<T>& k, const Vec3<T>& torque,
+                                        const Vec3<T>& F, const T& s_x, const T& s_y, const Vec3<T>& origin) {
+  const T damped = T(0) < body.damping ? formula::damping_power<T>(k, body.damping, s_x, s_y) : T(0);
+  return formula::contact_rates<T>(k, torque, body.damping, damped, F, s_x, s_y, origin);
+}
+
+template <Ordered T>
 [[nodiscard]] inline Variables<T> rates(const ContactBody<T>& body, const Kinetics<T>& k, const Vec3<T>& F,
                                         const T& s_x, const T& s_y, const Vec3<T>& origin) {
-  const T damped = T(0) < body.damping ? formula::damping_power<T>(k, body.damping, s_x, s_y) : T(0);
-  return formula::contact_rates(k, body.damping, damped, F, s_x, s_y, origin);
+  return rates<T>(body, k, k.torque, F, s_x, s_y, origin);
 }
 
 }  // namespace detail

@@ -143,11 +143,11 @@ class Rolling {
     const StageMotion<T> at = stage_motion(body_, feature_, y);
     const T room = formula::stage_room(at);
     // A contact that would pull, or jam, is not among what is short.
-    if (!(T(1e-6) * at.lambda * at.root < room) || !(T(0) < formula::stage_weight(body_.mobility, at))) {
+    if (!(T(1e-6) * at.lambda < room) || !(T(0) < formula::stage_weight(body_.mobility, at))) {
       return (*this)(y);
     }
     ++evaluations;
-    return formula::stage_rolling<T>(body_.mobility, at, body_.damping, origin_);
+    return rates<T>(body_, at, at.torque, formula::stage_rolling_force(body_.mobility, at), T(0), T(0), origin_);
   }
 
   /// 1 + ẑ · W⁻¹ b, b = J τ × r: below 0, the more a contact presses, the more resistance turns the stone into it. W >= 1, so

@@ -123,8 +123,8 @@ class Sliding {
 
   [[nodiscard]] Variables<T> inner_rates(const StageMotion<T>& motion, const SlipRate<T>& slip, const T& c, const T& s,
                                          const T& sigma) const {
-    Variables<T> rate =
-        formula::stage_sliding<T>(body_.mobility, motion, slip, body_.friction, c, s, sigma, body_.damping, origin_);
+    const Vec3<T> F = formula::friction_force(slip.N, T(body_.friction * slip.N), c, s);
+    Variables<T> rate = rates<T>(body_, motion, motion.torque, F, T(sigma * c), T(sigma * s), origin_);
     rate[at::slip] = formula::damped(slip.along, body_.damping, sigma);
     return rate;
   }

@@ -33,30 +33,38 @@ struct GlideSlope {
 
 namespace formula {
 
-/// Dry friction, F = N (−μ c, −μ s, 1) for the slip's direction (c, s), a unit vector. The normal force is the one that
-/// keeps the contact point on the plane:
+/// From what dry friction with a normal force of 1 does to the contact point, p, and from how that
+/// changes with the direction φ, p'. The normal force is the one that keeps the point on the plane:
 ///
-///     N = need_z / D,   D = W_zz + b_z − μ (W_xz c + W_yz s),   ṡ = N (W (−μ c, −μ s, 1) + b) − need
+///     N = need_z / p_z,   ṡ = N p − need
 ///
+/// Domain  p_z > 0.   Proof  derivations/slip.cpp, the slope included.
+template <Field T>
+[[nodiscard]] inline SlipRate<T> slip_under(const Vec3<T>& p, const Vec3<T>& p_slope, const Vec3<T>& need, const T& c,
+                                            const T& s) {
+  SlipRate<T> rate;
+  rate.denominator = p.z();
+  const T over = T(1) / rate.denominator;
+  rate.N = need.z() * over;
+  const T N_slope = -(rate.N * over * p_slope.z());
+  const T a_x = rate.N * p.x() - need.x(), a_y = rate.N * p.y() - need.y();
+  rate.along = a_x * c + a_y * s;
+  rate.across = a_y * c - a_x * s;
+  const T b_x = N_slope * p.x() + rate.N * p_slope.x(), b_y = N_slope * p.y() + rate.N * p_slope.y();
+  rate.across_slope = b_y * c - b_x * s - rate.along;
+  return rate;
+}
+
+/// Dry friction, F = N (−μ c, −μ s, 1) for the slip's direction (c, s), a unit vector: p = W (−μ c, −μ s, 1) + b.
 /// b = J τ × r is what the resistance of a normal force 1 does to the contact point.
-/// Domain  D > 0.   Proof  derivations/slip.cpp, the slope included.
+/// Domain  as above.   Proof  derivations/slip.cpp.
 template <Field T>
 [[nodiscard]] inline SlipRate<T> slip_rate(const ContactMatrix<T>& W, const Vec3<T>& brake, const Vec3<T>& need,
                                            const T& mu, const T& c, const T& s) {
-  SlipRate<T> rate;
-  rate.denominator = W.zz + brake.z() - mu * (W.xz * c + W.yz * s);
-  const T over = T(1) / rate.denominator;
-  rate.N = need.z() * over;
-  const T N_slope = rate.N * over * mu * (W.yz * c - W.xz * s);
-  const T p_x = W.xz + brake.x() - mu * (W.xx * c + W.xy * s);
-  const T p_y = W.yz + brake.y() - mu * (W.xy * c + W.yy * s);
-  const T p_x_slope = mu * (W.xx * s - W.xy * c), p_y_slope = mu * (W.xy * s - W.yy * c);
-  const T a_x = rate.N * p_x - need.x(), a_y = rate.N * p_y - need.y();
-  rate.along = a_x * c + a_y * s;
-  rate.across = a_y * c - a_x * s;
-  const T b_x = N_slope * p_x + rate.N * p_x_slope, b_y = N_slope * p_y + rate.N * p_y_slope;
-  rate.across_slope = b_y * c - b_x * s - rate.along;
-  return rate;
+  const Vec3<T> p(T(W.xz + brake.x() - mu * (W.xx * c + W.xy * s)), T(W.yz + brake.y() - mu * (W.xy * c + W.yy * s)),
+                  T(W.zz + brake.z() - mu * (W.xz * c + W.yz * s)));
+  const Vec3<T> p_slope(T(mu * (W.xx * s - W.xy * c)), T(mu * (W.xy * s - W.yy * c)), T(mu * (W.xz * s - W.yz * c)));
+  return formula::slip_under(p, p_slope, need, c, s);
 }
 
 /// Friction in proportion to the slip, F = N (−k s_x, −k s_y, 1), with the normal force that keeps the contact point on

@@ -78,8 +78,9 @@ struct Bouncing {
 /// as those at its ends are.
 template <class T>
 struct Ledger {
-  T begin, end;  // [m²/s²]
-  T slack;       // [m/s] by which they are off at most
+  T begin, end;     // [m²/s²]
+  T slack;          // [m/s] by which they are off at most
+  Vec3<T> gravity;  // that it is kept in
 };
 
 /// What a ledger may take of a kinetic energy, or add: no more than a step's error is.
@@ -133,11 +134,10 @@ template <Ordered T>
 
 /// Takes the velocities to what a ledger has at a share of its stretch, all by one factor.
 template <Ordered T>
-void keep_ledger(State<T>& state, const ContactPlace<T>& now, const T& loss, const Ledger<T>& ledger, const T& theta,
-                 const Vec3<T>& gravity) {
+void keep_ledger(State<T>& state, const ContactPlace<T>& now, const T& loss, const Ledger<T>& ledger, const T& theta) {
   const Vec3<T>& v = state.v_WB;
   const T kinetic = (formula::dot(now.L, now.w) + formula::dot(v, v)) / T(2);
-  const T energy = formula::contact_energy(now, gravity, T(state.p_WB.x()), T(state.p_WB.y()), kinetic);
+  const T energy = formula::contact_energy(now, ledger.gravity, T(state.p_WB.x()), T(state.p_WB.y()), kinetic);
   if (T(0) < kinetic) {
     const T excess = energy + loss - (ledger.begin + theta * (ledger.end - ledger.begin));
     const T factor = formula::slowing(taken_of<T>(kinetic, excess, ledger.slack), kinetic);
@@ -157,7 +157,7 @@ template <Ordered T>
     const ContactPlace<T> now = place_of(body, touching->frame.feature, y);
     State<T> state = state_of<T>(touching->frame, y, now, mass);
     if (touching->ledger) {
-      keep_ledger<T>(state, now, y[at::loss], *touching->ledger, theta, body.gravity);
+      keep_ledger<T>(state, now, y[at::loss], *touching->ledger, theta);
     }
     return state;
   }

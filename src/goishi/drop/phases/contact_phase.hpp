@@ -352,9 +352,13 @@ class ContactPhase {
     }
     if (next_.slips) {
       lock(run);
-    } else if (!jams_ && is_held(run.contact_body, kinetics(run.contact_body, contact_.feature, contact_.y).r)) {
+    } else if (!jams_ && is_held_here(run)) {
       leave(ContactEnd::rest);
     }
+  }
+
+  [[nodiscard]] bool is_held_here(const Run<T>& run) const {
+    return is_held(run.contact_body, place_of(run.contact_body, contact_.feature, contact_.y).r);
   }
 
   // --- sliding while resistance holds the attitude
@@ -363,9 +367,9 @@ class ContactPhase {
     const std::array<T, 2> slip = contact_.slip();
     Variables<T>& y = contact_.y;
     // The centre keeps its velocity, not the contact point its slip.
-    const Vec3<T> v = formula::centre_velocity(kinetics(run.contact_body, contact_.feature, y), slip[0], slip[1]);
+    const ContactPlace<T> now = place_of(run.contact_body, contact_.feature, y);
+    const Vec3<T> v = formula::centre_velocity(now, slip[0], slip[1]);
     y[at::L] = y[at::L + 1] = y[at::L + 2] = T(0);
-    const Kinetics<T> now = kinetics(run.contact_body, contact_.feature, y);
     locked_.emplace(run, now.r, typename LockedSlide<T>::Motion{y[at::x], y[at::y], v.x(), v.y()});
     contact_.mode = ContactMode::gliding;  // the slip as a vector
     y[at::slip] = v.x();
@@ -374,7 +378,7 @@ class ContactPhase {
   }
 
   void slide_locked(Run<T>& run) {
-    const Kinetics<T> now = kinetics(run.contact_body, contact_.feature, contact_.y);
+    const ContactPlace<T> now = place_of(run.contact_body, contact_.feature, contact_.y);
     Variables<T> where = contact_.y;
     const auto inside = [&](const T& x, const T& y) {
       where[at::x] = x;
@@ -405,7 +409,7 @@ class ContactPhase {
     if (locked_->end() == LockedEnd::support) {
       leave(beyond_support());
     } else if (locked_->end() == LockedEnd::stopped) {
-      if (is_held(run.contact_body, kinetics(run.contact_body, contact_.feature, contact_.y).r)) {
+      if (is_held_here(run)) {
         leave(ContactEnd::rest);
       } else {
         // Friction has kept the stone leaning while it slid: without it the stone rocks back.

@@ -27,7 +27,7 @@ struct ContactState : ContactFrame<T> {
     const Vec3<T> L = state.L_W / run.body.mass;
     y = {origin.x(), origin.y(), origin.z(), state.p_WB.x(), state.p_WB.y(), T(0),
          T(0),       L.x(),      L.y(),      L.z(),          T(0),           T(0)};
-    const Kinetics<T> now = kinetics(run.contact_body, feature, y);
+    const ContactPlace<T> now = place_of(run.contact_body, feature, y);
     // Round-off of what the slip is the difference of, and of a contact point that was told by its place.
     const T speed = run.scales.speed + size_of(T(state.v_WB.x()), T(state.v_WB.y()));
     const T turn = scalar::sqrt(formula::dot(now.w, now.w)) * state.p_WB.cwiseAbs().maxCoeff();
@@ -107,15 +107,15 @@ struct ContactState : ContactFrame<T> {
   }
 
   /// How far the contact point is inside the playing surface, or the stone from the board's side   [m].
-  [[nodiscard]] T support_guard(const Run<T>& run, const Kinetics<T>& now, const Variables<T>& where) const {
-    const auto magnitude = [](const T& x) { return x < T(0) ? T(-x) : x; };
+  [[nodiscard]] T support_guard(const Run<T>& run, const ContactPlace<T>& now, const Variables<T>& where) const {
     const Board<T>& board = *run.board;
     if (!(level < T(0))) {
-      const T across = board.half_width - magnitude(where[at::x] + now.r.x());
-      const T along = board.half_length - magnitude(where[at::y] + now.r.y());
+      const T across = board.half_width - magnitude_of<T>(where[at::x] + now.r.x());
+      const T along = board.half_length - magnitude_of<T>(where[at::y] + now.r.y());
       return across < along ? across : along;
     }
-    const T across = magnitude(where[at::x]) - board.half_width, along = magnitude(where[at::y]) - board.half_length;
+    const T across = magnitude_of<T>(where[at::x]) - board.half_width,
+            along = magnitude_of<T>(where[at::y]) - board.half_length;
     const T over = (across < along ? along : across) - run.reach;
     if (T(0) < over) {
       return over;

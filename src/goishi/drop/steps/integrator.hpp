@@ -8,6 +8,7 @@
 #include <goishi/drop/equations/sliding.hpp>
 #include <goishi/drop/phases/contact_state.hpp>
 #include <goishi/drop/rest/rest.hpp>
+#include <goishi/drop/steps/crossing.hpp>
 #include <goishi/drop/steps/energy_balance.hpp>
 #include <goishi/drop/steps/runge_kutta.hpp>
 #include <optional>
@@ -135,7 +136,7 @@ class ContactIntegrator {
     const T total = balance_.total();
     reunite(ahead.to);
     balance_.restore(run, equations, ahead.to);
-    ahead.ledger = {total, balance_.total(), run.settings.tolerance * run.scales.speed};
+    ahead.ledger = {total, balance_.total(), run.settings.tolerance * run.scales.speed, run.settings.gravity};
     if (ahead.known) {
       lead(ahead.along, reached, ahead.to);
     }
@@ -217,7 +218,7 @@ class ContactIntegrator {
       ahead.along.c[1][i] = stop * rate_[i];
       ahead.along.c[2][i] = -(stop / T(2) * rate_[i]);
     }
-    if (T(0) < stop && !is_held(body, kinetics(body, contact.feature, ahead.to).r)) {
+    if (T(0) < stop && !is_held(body, place_of(body, contact.feature, ahead.to).r)) {
       return false;
     }
     const auto ceases = [&](std::size_t i) {
@@ -318,7 +319,7 @@ class ContactIntegrator {
       if (!(T(0) < braking)) {
         return Course::steps;
       }
-      const T rest = sigma / braking, turned = size_of(T(rest * rate_[at::direction]));
+      const T rest = sigma / braking, turned = magnitude_of(T(rest * rate_[at::direction]));
       const T little = T(0.01) * tolerance * run.scales.speed;
       if (scalar::sq(T(rest * run.scales.frequency / run.scales.thinness)) < T(1e-5) * tolerance &&
           sigma * turned < little) {
@@ -395,7 +396,8 @@ class ContactIntegrator {
         static_cast<void>(equations(y));
         return guards_of(run, contact, equations, y);
       };
-      find<Equations>(which, now, share, guards_at);
+      // A slip is zero where it begins without round-off, and however short it lives counts: that time has to pass.
+      find_crossing(old_, which, found == Guard::slip ? T(0) : crossing_noise<T>(), now, share, guards_at);
     }
     if (found != Guard::none) {
       ahead.along = ahead.along.cut(share);
@@ -405,54 +407,6 @@ class ContactIntegrator {
     }
     return found;
   }
-
-  /// Illinois on the share of the step, from where the guard is broken, `now`, on.
-  template <class Equations, class GuardsAt>
-  void find(std::size_t which, GuardValues& now, T& share, GuardsAt&& guards_at) const {
-    constexpr int most_steps = 60;
-    const T small = at_least(T(1e-12), T(32) * std::numeric_limits<T>::epsilon());
-    T low(0), high = share, low_value = old_[which], high_value = now[which];
-    // From a change of equations the guard starts at zero: some shorter way is to show it positive first. A slip is zero
-    // then without round-off, and however short it lives counts: that time has to pass.
-    const T shown = Equations::names[which] == Guard::slip ? T(0) : small;
-    for (int i = 0; i < most_steps && !(shown < low_value); ++i) {
-      const T middle = high / T(2);
-      const GuardValues then = guards_at(middle);
-      if (shown < then[which]) {
-        low = middle;
-        low_value = then[which];
-      } else {
-        share = high = middle;
-        now = then;
-        high_value = then[which];
-      }
-    }
-    if (!(shown < low_value)) {
-      return;
-    }
-    int last = 0;
-    for (int i = 0; i < most_steps; ++i) {
-      if (-small < now[which] && now[which] < small) {
-        break;
-      }
-      const T middle = low + (high - low) * (low_value / (low_value - high_value));
-      if (!(low < middle && middle < high)) {
-        break;
-      }
-      share = middle;
-      now = guards_at(middle);
-      const T value = now[which];
-      const int side = value < T(0) ? -1 : 1;
-      (side < 0 ? high : low) = middle;
-      (side < 0 ? high_value : low_value) = value;
-      if (side == last) {
-        (side < 0 ? low_value : high_value) = (side < 0 ? low_value : high_value) / T(2);
-      }
-      last = side;
-    }
-  }
-
-  [[nodiscard]] static T size_of(const T& x) { return x < T(0) ? T(-x) : x; }
 
   /// The greatest error of a variable over what is allowed.
   template <class Equations>
@@ -467,7 +421,7 @@ class ContactIntegrator {
     const T momentum = scalar::sqrt(T(momentum2 + scalar::sq(least)));
     const auto place = [&](const T& x) {  // no error is below round-off
       return T(1) /
-             (run.scales.length + T(64) * std::numeric_limits<T>::epsilon() / run.settings.tolerance * size_of(x));
+             (run.scales.length + T(64) * std::numeric_limits<T>::epsilon() / run.settings.tolerance * magnitude_of(x));
     };
     const T& speed = run.scales.speed;
     const T& thin = run.scales.thinness;
@@ -485,7 +439,7 @@ class ContactIntegrator {
                                              equations.weight_of_direction(trial.y, speed, h)};
     T worst(0);
     for (std::size_t i = 0; i < Equations::used; ++i) {
-      const T error = weight[i] * size_of(trial.error[i]);
+      const T error = weight[i] * magnitude_of(trial.error[i]);
       if (!(error <= worst)) {
         worst = error;
       }

@@ -185,8 +185,8 @@ using Components = unsigned;
 
 /// A step of that pair from y, where the rate is `rate`: the components of `stiff` are taken implicitly. A stage is solved
 /// by `solve(Y, reach, k)`: of Y_i = Y_i' + reach k_i for its stiff components, Y' given in Y, it leaves the solution in Y
-/// and all rates there in k, which comes with those of the stage before as a first guess. False if there is
-/// none, and then there is no step. The trial's rate is the last stage's.
+/// and all rates there in k, which comes with those of the stage before as a first guess. False if there is none, and then
+/// there is no step. The trial's rate is the last stage's.
 template <Ordered T, std::size_t N, class Solve>
 [[nodiscard]] bool additive_runge_kutta(const Array<T, N>& y, const Array<T, N>& rate, const T& h, Components stiff,
                                         Trial<T, N>& trial, Solve&& solve) {
