@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Vectors, matrices and unit quaternions on Eigen. `q_WB` is the attitude of B in W: v_W = q_WB v_B.
+/// Vectors, matrices, unit quaternions and poses on Eigen. `q_WB` is the attitude of B in W: v_W = q_WB v_B.
 
 #include <Eigen/Geometry>
 #include <goishi/error.hpp>
@@ -14,6 +14,13 @@ template <class T>
 using Mat3 = Eigen::Matrix<T, 3, 3>;
 template <class T>
 using Quat = Eigen::Quaternion<T>;
+
+/// Where a body is, and how it stands. NaN until set.
+template <class T>
+struct Pose {
+  Vec3<T> p_WB = Vec3<T>::Constant(scalar::unset<T>());
+  Quat<T> q_WB = Quat<T>(scalar::unset<T>(), scalar::unset<T>(), scalar::unset<T>(), scalar::unset<T>());
+};
 
 namespace scalar {
 

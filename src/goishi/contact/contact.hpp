@@ -17,13 +17,6 @@
 
 namespace goishi {
 
-/// Where a body is, and how it stands. NaN until set.
-template <class T>
-struct Pose {
-  Vec3<T> p_WB = Vec3<T>::Constant(scalar::unset<T>());
-  Quat<T> q_WB = Quat<T>(scalar::unset<T>(), scalar::unset<T>(), scalar::unset<T>(), scalar::unset<T>());
-};
-
 enum class SeparationStatus {
   separated,
   overlapping,   // gap < 0: the bodies share points, −gap deep
