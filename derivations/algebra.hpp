@@ -135,7 +135,9 @@ inline ex sample(const ex& e) {
     for (const char letter : name) {
       place = (31 * place + letter) % 9973;
     }
-    point[atom] = 1 + ex(place) / 9973;
+    const int square = place * place % 9973;
+    const int mixed = square * square % 9973 * place % 9973;  // or a1, b1 and c1 would be as a2, b2 and c2 are, shifted
+    point[atom] = 1 + ex(mixed) / 9973;
   }
   return e.subs(point);
 }

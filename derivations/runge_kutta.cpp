@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <goishi/drop/steps/runge_kutta.hpp>
+#include <goishi/drop/schemes/runge_kutta.hpp>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -76,7 +76,7 @@ are symbols too. The points where it asks for them, $y + h \sum a_{ij} k_j$, are
 \sum b_j k_j$, are its weights; its error, $h \sum (b_j - \hat b_j) k_j$, has those of the embedded method. A method
 is of order $p$ for every $f$ if $\sum b_i \phi_i(t) = 1/\gamma(t)$ for all rooted trees $t$ of up to $p$ vertices
 (Butcher).)");
-  document.shipped("detail::dormand_prince", "drop/steps/runge_kutta.hpp");
+  document.shipped("detail::dormand_prince", "drop/schemes/runge_kutta.hpp");
   const symbol y("y"), h("h");
   Row k = {symbol("k1")};
   Row asked;
@@ -124,8 +124,8 @@ is of order $p$ for every $f$ if $\sum b_i \phi_i(t) = 1/\gamma(t)$ for all root
 h \sum b_j(\theta) k_j$, of degree 4. A method whose step is $\theta h$ long has the tableau $a_{ij}/\theta$ and the
 weights $b_j(\theta)/\theta$; both sides of a condition are polynomials of degree 4 that are 0 at $\theta = 0$, so that
 five more places prove it.)");
-  document.shipped("detail::bend_of", "drop/steps/runge_kutta.hpp");
-  document.shipped("detail::interpolant", "drop/steps/runge_kutta.hpp");
+  document.shipped("detail::bend_of", "drop/schemes/runge_kutta.hpp");
+  document.shipped("detail::interpolant", "drop/schemes/runge_kutta.hpp");
   const auto along = goishi::detail::interpolant(std::array{Exact(y)}, first, trial.y, trial.rate, Exact(h),
                                                  goishi::detail::bend_of(trial, first, Exact(h)));
   const auto defect = [&](int low, int high, const ex& theta, const ex& altered) {
@@ -166,7 +166,7 @@ void interpolants(Document& document) {
   };
   document.check("it goes through both ends, with the rates there", leads(value(rough)));
   document.check("and not through any others", !leads(value(rough) + t) && !leads(value(rough) + pow(t, 2) * (t - 1)));
-  document.shipped("detail::sharpened", "drop/steps/runge_kutta.hpp");
+  document.shipped("detail::sharpened", "drop/schemes/runge_kutta.hpp");
   int asked = 0;
   ex places = 0;
   const Along sharp = goishi::detail::sharpened(rough, Exact(h), [&](const std::array<Exact, 1>& place) {
@@ -190,7 +190,7 @@ void additive(Document& document) {
 explicit one, the same weights; the stiff part may be one component. The trees' vertices then have two colours.
 Weights, embedded weights and the implicit tableau are exact. Of the explicit one most entries are fractions that its
 authors rounded to 25 digits.)");
-  document.shipped("detail::AdditiveTableau", "drop/steps/runge_kutta.hpp");
+  document.shipped("detail::AdditiveTableau", "drop/schemes/runge_kutta.hpp");
   using Shipped = goishi::detail::AdditiveTableau<Exact>;
   constexpr std::size_t stages = Shipped::stages;
   Tableau E(stages, Row(stages, 0)), I = E;

@@ -7,6 +7,7 @@
 
 #include "verify/oracles/contact/brute_contact.hpp"
 #include "verify/oracles/contact/flying_bodies.hpp"
+#include "verify/oracles/stone/triangles.hpp"
 
 namespace {
 
@@ -115,6 +116,21 @@ TEST(FlyingBodies, TheAxisIsBackAfterATurnOfPrecession) {
   // Half a turn: the mirror image in L.
   const Real cosine = top.axial * spin[2] / momentum;
   EXPECT_NEAR(static_cast<double>(half[0].u[2]), static_cast<double>(2 * cosine * cosine - 1), 1e-14);
+}
+
+TEST(Triangles, DistanceFromOneAndFromAHeap) {
+  const Point3 a{0.0, 0.0, 0.0}, b{1.0, 0.0, 0.0}, c{0.0, 1.0, 0.0};
+  EXPECT_DOUBLE_EQ(triangle_distance({0.2, 0.2, 0.5}, a, b, c), 0.5);
+  EXPECT_DOUBLE_EQ(triangle_distance({0.2, 0.2, 0.0}, a, b, c), 0.0);
+  EXPECT_DOUBLE_EQ(triangle_distance({0.5, -2.0, 0.0}, a, b, c), 2.0);
+  EXPECT_DOUBLE_EQ(triangle_distance({1.0, 1.0, 0.0}, a, b, c), std::sqrt(0.5));
+  EXPECT_DOUBLE_EQ(triangle_distance({-3.0, -4.0, 0.0}, a, b, c), 5.0);
+  EXPECT_DOUBLE_EQ(triangle_distance({4.0, 0.0, 4.0}, a, b, c), 5.0);
+  Triangles heap;
+  heap.add(a, b, c);
+  heap.add({0.0, 0.0, 2.0}, {1.0, 0.0, 2.0}, {0.0, 1.0, 2.0});
+  EXPECT_DOUBLE_EQ(heap.distance({0.1, 0.1, 1.5}), 0.5);
+  EXPECT_DOUBLE_EQ(heap.distance({0.1, 0.1, -1.0}), 1.0);
 }
 
 }  // namespace

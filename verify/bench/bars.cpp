@@ -27,6 +27,7 @@ struct PointBar {
 constexpr PointBar point_bars[] = {{"flight", "one-by-one", 1024, 40},
                                    {"flight", "batch", 1024, 8, 1e-13},
                                    {"flight", "batch", 100'000, 12, 1e-13},
+                                   {"tessellation", "welded", 64, 10e6},
                                    {"region", "region", 0, 3},
                                    {"plane", "gap", 0, 15, 1e-13 * width},
                                    {"plane", "gap-batch", 0, 15, 1e-13 * width},

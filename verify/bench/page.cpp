@@ -155,6 +155,8 @@ std::string point_name(const Who& who, double setting) {
   switch (who.kind) {
     case Kind::vertices:
       return fmt::format("{} of {} points", who.label, setting);
+    case Kind::rings:
+      return fmt::format("{}, {} rings", who.label, setting);
     case Kind::tolerance:
       return fmt::format("{}, tolerance {}", who.label, plain_number(setting));
     case Kind::step:

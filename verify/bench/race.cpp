@@ -99,7 +99,7 @@ void time_blocks(std::vector<Running>& running, std::size_t cases, std::size_t b
 }  // namespace
 
 std::string_view to_string(Kind kind) {
-  constexpr std::string_view names[] = {"direct", "step", "tolerance", "vertices", "stones"};
+  constexpr std::string_view names[] = {"direct", "step", "tolerance", "vertices", "rings", "stones"};
   return names[static_cast<std::size_t>(kind)];
 }
 

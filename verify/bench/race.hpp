@@ -29,6 +29,7 @@ enum class Kind {
   step,       // setting: the time step [s]
   tolerance,  // setting: the tolerance
   vertices,   // setting: points of the hull in place of the stone
+  rings,      // setting: of triangles, from the middle of a cap to its rim
   stones      // setting: how many, of which one is timed
 };
 [[nodiscard]] std::string_view to_string(Kind kind);

@@ -14,6 +14,8 @@ std::vector<Claim> all_claims() {
       {"claims/shape/surface.cpp", surface_claims},
       {"claims/shape/surface_laws.cpp", surface_law_claims},
       {"claims/shape/board.cpp", board_claims},
+      {"claims/mesh/tessellation.cpp", mesh_tessellation_claims},
+      {"claims/mesh/solid.cpp", mesh_solid_claims},
       {"claims/mass/accuracy.cpp", accuracy_claims},
       {"claims/mass/certified.cpp", certified_claims},
       {"claims/mass/gsl.cpp", gsl_claims},

@@ -35,6 +35,8 @@ namespace goishi::verify {
 [[nodiscard]] std::vector<Claim> published_motion_claims();   // PUBLISHED: the talk's loops, and how far they are off
 [[nodiscard]] std::vector<Claim> surface_claims();            // SURFACE: support, distance, rays
 [[nodiscard]] std::vector<Claim> surface_law_claims();        // SURFACE: what holds for any convex body of revolution
+[[nodiscard]] std::vector<Claim> mesh_tessellation_claims();  // MESH: triangles, their distance, their number
+[[nodiscard]] std::vector<Claim> mesh_solid_claims();         // MESH: what a mesh encloses, boxes, supports
 [[nodiscard]] std::vector<Claim> board_claims();              // BOARD: regions, rays
 [[nodiscard]] std::vector<Claim> contact_claims();            // CONTACT: plane and board against 50 digits and search
 [[nodiscard]] std::vector<Claim> contact_pair_claims();       // CONTACT: two stones against search

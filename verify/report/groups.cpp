@@ -12,7 +12,7 @@ namespace goishi::verify {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 22> titles = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 23> titles = {{
     {"SHAPE", "Shape of lens and bevel"},
     {"MASS", "Volume, area and moments of inertia"},
     {"GSL", "Against numerical integration of the solid"},
@@ -20,6 +20,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 22> titles =
     {"CERTIFIED", "Closed forms and rigorous integration"},
     {"LAW", "Limits and laws"},
     {"TENSOR", "The inertia tensor about any point, in any frame"},
+    {"MESH", "Meshes, what they enclose, boxes"},
     {"TABLE", "The inertia table and the catalogue of sizes"},
     {"PUBLISHED", "What was published, and what is right"},
     {"DOMAIN", "To the ends of what is said to be taken"},

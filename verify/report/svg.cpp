@@ -28,7 +28,7 @@ constexpr std::string_view dot_stroke =
     "fill=\"none\" stroke=\"currentColor\" stroke-width=\"3\" stroke-linecap=\"round\"";
 
 bool has_markers(const Series& series) {
-  return series.points.size() <= greatest_marked;
+  return series.points.size() <= greatest_marked && !series.segments;
 }
 
 std::string draw_series(const Plot& plot, const Canvas& canvas, std::size_t i) {
@@ -45,6 +45,7 @@ std::string draw_series(const Plot& plot, const Canvas& canvas, std::size_t i) {
       pen_down = false;
       continue;
     }
+    pen_down = pen_down && !(series.segments && count % 2 == 0);
     const std::string at = fmt::format("{} {}", number(canvas.x(point.first)), number(canvas.y(point.second)));
     curve += fmt::format("{}{}{}", pen_down ? 'L' : 'M', at, pen_down ? "" : "h0");
     dots += fmt::format("M{}h0", at);

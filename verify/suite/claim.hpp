@@ -53,6 +53,7 @@ struct Series {
   std::vector<std::pair<double, double>> points;  // (x, y)
   bool line = true;                               // else markers only
   Look look = Look::usual;
+  bool segments = false;  // each two points are a stroke of their own
 };
 
 struct Plot {

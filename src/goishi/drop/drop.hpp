@@ -9,8 +9,8 @@
 #include <goishi/drop/motion/stretch.hpp>
 #include <goishi/drop/phases/contact_phase.hpp>
 #include <goishi/drop/phases/flight_phase.hpp>
-#include <goishi/drop/phases/run.hpp>
 #include <goishi/drop/settings.hpp>
+#include <goishi/drop/state/run.hpp>
 #include <limits>
 #include <optional>
 #include <utility>

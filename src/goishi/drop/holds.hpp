@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <goishi/contact/stone_board.hpp>
 #include <goishi/contact/stone_plane.hpp>
-#include <goishi/drop/phases/run.hpp>
 #include <goishi/drop/rest/statics.hpp>
 #include <goishi/drop/settings.hpp>
+#include <goishi/drop/state/run.hpp>
 #include <limits>
 
 namespace goishi {

@@ -7,6 +7,7 @@
 #include <goishi/mesh/mesh.hpp>
 #include <goishi/rotation.hpp>
 #include <goishi/scalar.hpp>
+#include <goishi/vector.hpp>
 
 namespace goishi {
 

@@ -26,7 +26,7 @@ template <Ordered T>
 }
 
 /// The greatest value on an arc of directions, from u to v, of how far the stone goes beyond the point p, as far as it is above
-/// `most`: it is that, to a thousandth.
+/// `most`: it is that, to a millionth.
 ///
 /// Between two directions it is at most the greater of its values at their ends over the cosine of half their
 /// angle: a support is sublinear, h(a u + b v) <= a h(u) + b h(v). So an arc is halved until nothing above is left.
@@ -36,7 +36,7 @@ template <Ordered T>
   const T larger = at_u < at_v ? at_v : at_u;
   // cos² of half the angle, at least of a right one: beyond, no bound is worth having.
   const T half = (T(1) + formula::dot(u, v)) / T(2);
-  const T worth = most * (T(1) + T(1) / T(1000));
+  const T worth = most * (T(1) + T(1) / T(1000000));
   const T found = most < larger ? larger : most;
   if (depth == 0 || (T(1) / T(2) < half && larger <= worth * scalar::sqrt(half))) {
     return found;
@@ -62,7 +62,7 @@ template <Ordered T>
 /// is covered by the arcs around it. It is reached if the mesh is convex. From the mesh to the stone is never farther.
 ///
 /// Domain  a closed mesh (`topology`) with its vertices on the stone's surface, else InvalidArgument (what is not closed).
-/// Error   at most 1/1000 above the bound, and 4 ε of the width; meshes of `tessellate`: the bound is the distance, to 1 % (MESH-3).
+/// Error   a millionth, and 4 ε of the width; meshes of `tessellate`: the bound is the distance (MESH-3).
 template <Ordered T>
 [[nodiscard]] T deviation(const Mesh<T>& mesh, const Stone<T>& stone) {
   const Mesh<T> solid = weld(mesh, Weld::position);
@@ -105,92 +105,110 @@ template <Ordered T>
 
 namespace detail {
 
-/// What a band would be off, seen where it is widest, in a flat metric: of a triangle with the circumradius R, R²/2.
-template <class T>
-struct BandMetric {
-  T across;  // from joint to joint   [√m]
-  T around;  // the whole rim
+/// The least count of parts of a length of which each is at most so long; beyond `most_rings` where there are none.
+template <Ordered T>
+[[nodiscard]] int parts(const T& length, const T& longest) {
+  const T count = T(0) < longest ? T(length / longest) : static_cast<T>(most_rings);
+  return count < static_cast<T>(most_rings) ? 1 + static_cast<int>(count) : most_rings + 1;
+}
 
-  /// The least rows with which n rings keep the tolerance; 0 if there are none.
-  [[nodiscard]] int rows(Tessellation method, int n, const T& tolerance) const {
-    const T segment = around / static_cast<T>(5 * n);
-    const T square = T(2) * tolerance;  // R²
-    const T left = square - scalar::sq(segment) / T(4);
-    if (left < T(0)) {
-      return 0;
+/// What a stone is off as a mesh, to the leading order in its edges, turned round: how fine it must be.
+template <Ordered T>
+class FinenessSearch {
+ public:
+  FinenessSearch(const Stone<T>& stone, Tessellation method)
+      : method_(method),
+        sharp_(!(T(0) < stone.bevel)),
+        band_(band_metric(stone)),
+        cap_height_((stone.height - stone.bevel) / T(2)),
+        cap_(scalar::sqrt(stone.sphere_radius) * scalar::atan2(stone.joint_cosine, stone.joint_sine)),
+        cap_rim_(T(2) * scalar::pi<T>() / T(5) * scalar::sqrt(stone.sphere_radius) * stone.joint_cosine) {}
+
+  /// That with the fewest triangles for a tolerance, or none.
+  [[nodiscard]] std::optional<Fineness> operator()(const T& tolerance) const {
+    // The rim's chords are N² times less than an eighth of the square of a fifth off, which is where this begins.
+    const int first = parts(band_.around, T(scalar::sqrt(T(T(8) * tolerance))));
+    std::optional<Fineness> best;
+    for (int segments = first; segments <= std::min(2 * first, most_rings); ++segments) {
+      const Fineness fineness = with(segments, tolerance);
+      if (fineness.rings <= most_rings && fineness.rows <= most_rings && fineness.segments <= most_rings &&
+          (!best || triangle_count(method_, fineness) < triangle_count(method_, *best))) {
+        best = fineness;
+      }
     }
-    // Isosceles triangles between rows that are staggered: the circle through their corners; else right ones.
-    const T height = method == Tessellation::subdivision ? T(scalar::sqrt(square) + scalar::sqrt(left))
-                                                         : T(T(2) * scalar::sqrt(left));
-    const T rows = across / height;
-    return rows < T(most_rings) ? 1 + static_cast<int>(rows) : 0;
+    return best;
   }
+
+ private:
+  [[nodiscard]] Fineness with(int segments, const T& tolerance) const {
+    const T square = T(2) * tolerance;  // R²
+    Fineness result{.segments = segments};
+    if (method_ == Tessellation::subdivision) {
+      // n² = 0.53 s/δ, of caps as stones have them; equilateral triangles would have 4π/(15√3) = 0.48.
+      result.rings = parts(T(scalar::sqrt(T(T(53) / T(100) * cap_height_))), T(scalar::sqrt(tolerance)));
+      // A ring that takes up a few more segments has worse triangles than one ring more would cost.
+      if (100 * segments < 109 * result.rings) {
+        result.rings = std::max(segments, result.rings);
+      }
+      result.segments = std::max(segments, result.rings);
+    } else {
+      const T side = cap_rim_ / static_cast<T>(segments);  // of right triangles, which have 2R as the longest
+      result.rings = parts(cap_, root(T(T(4) * square - scalar::sq(side))));
+    }
+    if (!sharp_) {
+      const T segment = band_.around / static_cast<T>(result.segments);
+      const T isosceles = scalar::sqrt(square) + root(T(square - scalar::sq(segment) / T(4)));
+      const T right = root(T(T(4) * square - scalar::sq(segment)));
+      result.rows = parts(band_.across, method_ == Tessellation::subdivision ? isosceles : right);
+      if (method_ == Tessellation::subdivision && isosceles < segment / T(2)) {
+        result.rows = most_rings + 1;
+      }
+    }
+    return result;
+  }
+
+  [[nodiscard]] static T root(const T& x) { return T(0) < x ? T(scalar::sqrt(x)) : T(0); }
+
+  Tessellation method_;
+  bool sharp_;
+  BandMetric<T> band_;
+  T cap_height_;     // s
+  T cap_, cap_rim_;  // from the middle to the rim, and a fifth of it, over √r
 };
-
-template <Ordered T>
-[[nodiscard]] BandMetric<T> band_metric(const Stone<T>& stone) {
-  return {T(T(2) * scalar::atan2(stone.joint_sine, stone.joint_cosine) * scalar::sqrt(stone.bevel_minor_radius)),
-          T(T(2) * scalar::pi<T>() * scalar::sqrt(T(outer_width(stone) / T(2))))};
-}
-
-}  // namespace detail
-
-namespace detail {
-
-/// C, if n rings are off C/n²: of a cap of height s, or of the rim.
-template <Ordered T>
-[[nodiscard]] T rings_constant(const Stone<T>& stone, Tessellation method) {
-  const T segment = T(2) * scalar::pi<T>() / T(5);  // of the rim, times n
-  const T rim = scalar::sq(segment) / T(8) * outer_width(stone) / T(2);
-  const T s = (stone.height - stone.bevel) / T(2);
-  const T angle = scalar::atan2(stone.joint_cosine, stone.joint_sine);
-  const T right = scalar::sq(angle) + scalar::sq(T(segment * stone.joint_cosine));
-  const T cap = method == Tessellation::subdivision ? T(s / T(2)) : T(stone.sphere_radius * right / T(8));
-  return cap < rim ? rim : cap;
-}
 
 }  // namespace detail
 
 /// A mesh, by few triangles, that is nowhere farther from the stone than the tolerance   [m], as `deviation` finds.
 ///
-/// Domain  a tolerance of at least 512 ε of the width, and one that 1024 rings and rows keep, else InvalidArgument.
-/// Error   none: it is kept. The triangles are at most 1.3 times the best possible for stones of the catalogue from 1000
-///         on (MESH-5). The cost is that of some meshes and their `deviation`.
+/// Domain  a tolerance of at least 512 ε of the width, and one that 1024 rings, rows and segments keep, else
+///         InvalidArgument.
+/// Error   none: it is kept. The triangles of stones of the catalogue are, from some thousands on, at most 1.3 times the least
+///         possible (MESH-5). The cost is that of some meshes and their `deviation`.
 template <Ordered T>
 [[nodiscard]] Fineness fineness_for(const Stone<T>& stone, Tessellation method, const T& tolerance) {
   require_positive("tolerance", tolerance);
   const T least = T(512) * std::numeric_limits<T>::epsilon() * outer_width(stone);
   require(least <= tolerance, "tolerance", tolerance, "must be above round-off, at least ", least, " m");
-  const bool sharp = !(T(0) < stone.bevel);
-  const detail::BandMetric<T> band = detail::band_metric(stone);
-  const auto triangles = [&](const Fineness& f) {
-    const double n = f.rings, m = f.rows;
-    return (method == Tessellation::subdivision ? n : 2.0 * n - 1.0) * n + n * m;
-  };
-  // What n rings are off is about C/n². More rings than the caps need may spare rows.
-  const T constant = detail::rings_constant(stone, method);
-  std::optional<Fineness> kept;
+  const detail::FinenessSearch<T> search(stone, method);
+  std::optional<Fineness> kept, last;
   T allowed = tolerance;
-  for (int trial = 0; trial < 12; ++trial) {
-    const T rings = scalar::sqrt(T(constant / allowed));
-    std::optional<Fineness> next;
-    const int first = rings < static_cast<T>(most_rings) ? 1 + static_cast<int>(rings) : most_rings + 1;
-    for (int n = first; n <= std::min(2 * first, most_rings); ++n) {
-      const Fineness fineness{n, sharp ? 0 : band.rows(method, n, allowed)};
-      if ((sharp || 0 < fineness.rows) && (!next || triangles(fineness) < triangles(*next))) {
-        next = fineness;
-      }
-    }
-    if (!next || (kept && !(triangles(*next) < triangles(*kept)))) {
+  for (int trial = 0; trial < 64; ++trial) {
+    const std::optional<Fineness> next = search(allowed);
+    if (!next || (kept && triangle_count(method, *kept) <= triangle_count(method, *next))) {
       break;
     }
+    if (last == next) {
+      allowed = allowed * T(63) / T(64);  // whole numbers, which did not do
+      continue;
+    }
+    last = next;
     const T found = deviation(tessellate(stone, method, *next), stone);
     if (found <= tolerance) {
       kept = next;
     }
-    allowed = allowed * tolerance / found * (found <= tolerance ? T(1) : T(1) - T(1) / T(1000));
+    allowed = allowed * tolerance / found;
   }
-  require(kept.has_value(), "tolerance", tolerance, "must be one that ", most_rings, " rings and rows keep");
+  require(kept.has_value(), "tolerance", tolerance, "must be one that ", most_rings, " rings, rows and segments keep");
   return *kept;
 }
 

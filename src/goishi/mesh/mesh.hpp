@@ -73,6 +73,7 @@ template <Ordered T>
   for (int i = 0; i < 3; ++i) {
     const double x = static_cast<double>(v[i]) + 0.0;
     hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15U;
+    hash = (hash ^ hash >> 32) * 0xd6e8feb86659fd93U;
     hash ^= hash >> 32;
   }
   return hash;

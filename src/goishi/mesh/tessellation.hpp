@@ -22,14 +22,62 @@ enum class Tessellation { subdivision, rings };
   return method == Tessellation::subdivision ? "subdivision" : "rings";
 }
 
-/// How finely. There are 5 n segments around the rim.
+/// How finely. Around the rim there are five times `segments`; where they are more than the rings, the last ring takes them
+/// up.
 struct Fineness {
-  int rings = 1;  // n, of triangles from the middle of a cap to its rim
-  int rows = 0;   // m, of triangles across the bevel's band; 0: sharp
+  int rings = 1;     // n, of triangles from the middle of a cap to its rim
+  int rows = 0;      // m, of triangles across the bevel's band; 0: sharp
+  int segments = 1;  // N, of a fifth of the rim; by subdivision at least n
+
+  [[nodiscard]] bool operator==(const Fineness&) const = default;
 };
 
 constexpr int finest_level = 8;   // 2⁸ rings
-constexpr int most_rings = 1024;  // and rows
+constexpr int most_rings = 1024;  // and rows, and segments
+
+/// How many triangles a mesh has: 10 n² by subdivision and 10 (N − n) to a finer rim, 10 N (2n − 1) by rings; 10 N m of the band.
+[[nodiscard]] inline std::size_t triangle_count(Tessellation method, const Fineness& fineness) {
+  const auto n = static_cast<std::size_t>(fineness.rings), m = static_cast<std::size_t>(fineness.rows);
+  const auto N = static_cast<std::size_t>(fineness.segments);
+  return 10 * (method == Tessellation::subdivision ? n * n + N - n : N * (2 * n - 1)) + 10 * N * m;
+}
+
+namespace detail {
+
+/// A band, flat, as its curvatures measure it where it is widest: a length along the meridian counts √(1/r₂), around
+/// √(1/(r₁ + r₂)). A triangle with the circumradius R is R²/2 off.
+template <class T>
+struct BandMetric {
+  T across;  // from joint to joint   [√m]
+  T around;  // a fifth of the rim
+};
+
+template <Ordered T>
+[[nodiscard]] BandMetric<T> band_metric(const Stone<T>& stone) {
+  return {T(T(2) * scalar::atan2(stone.joint_sine, stone.joint_cosine) * scalar::sqrt(stone.bevel_minor_radius)),
+          T(T(2) * scalar::pi<T>() / T(5) * scalar::sqrt(T(outer_width(stone) / T(2))))};
+}
+
+/// Whether the corners of a row stand between those of the next: where the triangles between them are acute. Longer ones would
+/// be the sides of a star.
+template <Ordered T>
+[[nodiscard]] bool staggers(const Stone<T>& stone, const Fineness& fineness) {
+  const BandMetric<T> band = band_metric(stone);
+  return band.around / static_cast<T>(2 * fineness.segments) * static_cast<T>(fineness.rows) < band.across;
+}
+
+/// The rows with which the triangles of a band are near equilateral, where it is widest.
+template <Ordered T>
+[[nodiscard]] int rows_for(const Stone<T>& stone, int segments) {
+  if (!(T(0) < stone.bevel)) {
+    return 0;
+  }
+  const BandMetric<T> band = band_metric(stone);
+  const T rows = T(2) / scalar::sqrt(T(3)) * band.across / (band.around / static_cast<T>(segments));
+  return rows < T(1) ? 1 : static_cast<int>(rows + T(1) / T(2));
+}
+
+}  // namespace detail
 
 namespace formula {
 
@@ -71,13 +119,15 @@ class Tessellator {
         method_(method),
         n_(fineness.rings),
         m_(fineness.rows),
+        segments_(fineness.segments),
+        stagger_(method == Tessellation::subdivision && staggers(stone, fineness) ? 1 : 0),
         cap_angle_(scalar::atan2(stone.joint_cosine, stone.joint_sine)) {
     const auto n = static_cast<std::size_t>(n_), m = static_cast<std::size_t>(m_);
-    const std::size_t inner = method == Tessellation::subdivision ? 5 * n * (n - 1) / 2 : 5 * n * (n - 1);
-    const std::size_t triangles = method == Tessellation::subdivision ? 5 * n * n : 5 * n * (2 * n - 1);
-    mesh_.points.reserve(2 * (1 + inner) + 5 * n * (m + 2));
+    const auto N = static_cast<std::size_t>(segments_);
+    const std::size_t inner = method == Tessellation::subdivision ? 5 * n * (n - 1) / 2 : 5 * N * (n - 1);
+    mesh_.points.reserve(2 * (1 + inner) + 5 * N * (m + 2));
     mesh_.normals.reserve(mesh_.points.capacity());
-    mesh_.triangles.reserve(2 * triangles + 10 * n * m);
+    mesh_.triangles.reserve(triangle_count(method, fineness));
   }
 
   [[nodiscard]] Mesh<T> operator()() && {
@@ -95,12 +145,14 @@ class Tessellator {
   }
 
   /// How many vertices ring k of a cap has.
-  [[nodiscard]] int around_ring(int k) const { return method_ == Tessellation::subdivision ? 5 * k : 5 * n_; }
+  [[nodiscard]] int around_ring(int k) const {
+    return method_ == Tessellation::subdivision && k < n_ ? 5 * k : 5 * segments_;
+  }
 
   /// The upper cap, or the lower: its mirror image, turned by what the rows of the band have gained on the way.
   void cap(bool upper) {
     const T sign = upper ? T(1) : T(-1);
-    const std::array<T, 2> turn = upper ? std::array<T, 2>{T(1), T(0)} : around<T>(m_ * stagger(), 10 * n_);
+    const std::array<T, 2> turn = upper ? std::array<T, 2>{T(1), T(0)} : around<T>(m_ * stagger_, 10 * segments_);
     const auto vertex = [&](const T& x, const T& y, const T& sine, const T& cosine) {
       // (x, y) is the unit direction from the axis; sine and cosine are those of the normal's angle with the axis.
       const Vec3<T> normal(T(sine * (x * turn[0] - y * turn[1])), T(sine * (x * turn[1] + y * turn[0])), cosine);
@@ -164,8 +216,8 @@ class Tessellator {
       sine = -sine;
       height = -height;
     }
-    for (int j = 0; j < 5 * n_; ++j) {
-      const std::array<T, 2> direction = around<T>(2 * j + i * stagger(), 10 * n_);
+    for (int j = 0; j < 5 * segments_; ++j) {
+      const std::array<T, 2> direction = around<T>(2 * j + i * stagger_, 10 * segments_);
       static_cast<void>(add({T(radius * direction[0]), T(radius * direction[1]), height},
                             {T(cosine * direction[0]), T(cosine * direction[1]), sine}));
     }
@@ -176,7 +228,7 @@ class Tessellator {
     for (int i = 1; i <= m_; ++i) {
       const std::uint32_t above = last_row_;
       last_row_ = row(i, false);
-      const auto count = static_cast<std::uint32_t>(5 * n_);
+      const auto count = static_cast<std::uint32_t>(5 * segments_);
       for (std::uint32_t j = 0; j < count; ++j) {
         const std::uint32_t next = j + 1 == count ? 0 : j + 1;
         mesh_.triangles.push_back({above + j, last_row_ + j, above + next});
@@ -203,41 +255,28 @@ class Tessellator {
       }
       return;
     }
-    const auto segments = static_cast<std::uint32_t>(k);
+    // On each side from corner to corner: whichever of the two has less of the way behind it goes on.
+    const std::uint32_t of_inner = k == 1 ? 0 : inside / 5, of_outer = outside / 5;
     for (std::uint32_t side = 0; side < 5; ++side) {
-      for (std::uint32_t j = 0; j < segments; ++j) {
-        const std::uint32_t i = side * (segments - 1) + j, o = side * segments + j;
-        put(in(i), out(o), out(o + 1));
-        if (j + 1 < segments) {
-          put(in(i), out(o + 1), in(i + 1));
+      for (std::uint32_t i = 0, o = 0; i < of_inner || o < of_outer;) {
+        const std::uint32_t a = in(side * of_inner + i), b = out(side * of_outer + o);
+        if ((2 * o + 1) * of_inner < (2 * i + 1) * of_outer) {
+          put(a, b, out(side * of_outer + ++o));
+        } else {
+          put(a, b, in(side * of_inner + ++i));
         }
       }
     }
   }
 
-  /// Half a segment from row to row, or none.
-  [[nodiscard]] int stagger() const { return method_ == Tessellation::subdivision ? 1 : 0; }
-
   const Stone<T>& stone_;
   Tessellation method_;
-  int n_, m_;
+  int n_, m_, segments_;
+  int stagger_;  // half segments from row to row
   T cap_angle_;
   std::uint32_t last_row_ = 0;
   Mesh<T> mesh_;
 };
-
-/// The rows of a band with n rings beside it, of which the triangles are near equilateral where it is widest, seen by how
-/// far they are from the surface: a length along the band counts √(1/r₂), around it √(1/(r₁ + r₂)).
-template <Ordered T>
-[[nodiscard]] int rows_for(const Stone<T>& stone, int rings) {
-  if (!(T(0) < stone.bevel)) {
-    return 0;
-  }
-  const T across = T(2) * scalar::atan2(stone.joint_sine, stone.joint_cosine) * scalar::sqrt(stone.bevel_minor_radius);
-  const T segment = T(2) * scalar::pi<T>() / static_cast<T>(5 * rings) * scalar::sqrt(outer_width(stone) / T(2));
-  const T rows = T(2) * across / (scalar::sqrt(T(3)) * segment);
-  return rows < T(1) ? 1 : static_cast<int>(rows + T(1) / T(2));
-}
 
 }  // namespace detail
 
@@ -246,20 +285,22 @@ template <Ordered T>
 template <Ordered T>
 [[nodiscard]] Fineness fineness_of_level(const Stone<T>& stone, int level) {
   require(0 <= level && level <= finest_level, "level", level, "must be 0 … ", finest_level);
-  return {.rings = 1 << level, .rows = detail::rows_for(stone, 1 << level)};
+  return {.rings = 1 << level, .rows = detail::rows_for(stone, 1 << level), .segments = 1 << level};
 }
 
 /// A closed mesh of a stone, in B: its corners on the surface, each with the surface's normal there. Caps and band share
-/// their vertices; at a sharp rim each cap has its own, at the same points (`weld`). 10 n² triangles by
-/// subdivision, 10 n (2n − 1) by rings, and 10 n m of the band.
+/// their vertices; at a sharp rim each cap has its own, at the same points (`weld`).
 ///
-/// Domain  a stone of `make_stone`, 1 <= n <= 1024, 1 <= m <= 1024 of a bevelled stone and 0 of a sharp one, else
-///         InvalidArgument.
+/// Domain  a stone of `make_stone`; 1 <= n, N <= 1024, n <= N by subdivision, 1 <= m <= 1024 of a bevelled stone and 0 of
+///         a sharp one; else InvalidArgument.
 /// Error   points within 2e-15 of the width from the surface, normals 1e-15 (MESH-1). How far the triangles are: `deviation`.
 template <Ordered T>
 [[nodiscard]] Mesh<T> tessellate(const Stone<T>& stone, Tessellation method, const Fineness& fineness) {
   require(T(0) < stone.height, "stone", stone.height, "must be one of make_stone (its height is shown)");
   require(1 <= fineness.rings && fineness.rings <= most_rings, "rings", fineness.rings, "must be 1 … ", most_rings);
+  const int least = method == Tessellation::subdivision ? fineness.rings : 1;
+  require(least <= fineness.segments && fineness.segments <= most_rings, "segments", fineness.segments, "must be ",
+          least, " … ", most_rings);
   const bool sharp = !(T(0) < stone.bevel);
   require(sharp ? fineness.rows == 0 : 1 <= fineness.rows && fineness.rows <= most_rings, "rows", fineness.rows,
           sharp ? "must be 0 of a sharp stone" : "must be 1 … 1024 of a bevelled stone");

@@ -101,12 +101,16 @@ Race prepare_tensor(const Effort& /*any*/) {
 }  // namespace
 
 Subject subject() {
+  std::vector<Problem> problems = {{"make-stone", "A stone from its measures", prepare_stones},
+                                   {"mass-properties", "Mass properties of a stone", prepare_properties},
+                                   {"tensor", "Inertia tensor in any attitude about any point", prepare_tensor}};
+  for (Problem& problem : mesh_problems()) {
+    problems.push_back(std::move(problem));
+  }
   return {.name = "mass",
           .title = "Stones and their mass properties",
           .note = "Mass: the price alone; the errors are in the claims MASS.",
-          .problems = {{"make-stone", "A stone from its measures", prepare_stones},
-                       {"mass-properties", "Mass properties of a stone", prepare_properties},
-                       {"tensor", "Inertia tensor in any attitude about any point", prepare_tensor}},
+          .problems = std::move(problems),
           .contestants = {}};
 }
 

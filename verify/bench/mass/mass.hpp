@@ -8,4 +8,7 @@ namespace goishi::verify::bench::mass {
 
 [[nodiscard]] Subject subject();
 
+/// Meshes in place of closed forms.
+[[nodiscard]] std::vector<Problem> mesh_problems();
+
 }  // namespace goishi::verify::bench::mass

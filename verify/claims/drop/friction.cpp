@@ -143,10 +143,10 @@ std::vector<Claim> drop_friction_claims() {
                          "2026-11-30 with 26 seeds: up to 1.4e-14",
                          std::numeric_limits<double>::epsilon()),
                   none("faults", "faults")},
-       .mutants = {{"drop/phases/run.hpp", "T(8) * patch_radius / (T(3)", "T(8) * patch_radius / (T(4)"},
+       .mutants = {{"drop/state/run.hpp", "T(8) * patch_radius / (T(3)", "T(8) * patch_radius / (T(4)"},
                    {"drop/equations/slip.hpp", "scalar::sq(T(patch * w_z)) + creep_square",
                     "scalar::sq(T(patch * w_z))"},
-                   {"drop/phases/run.hpp", "const bool patch = T(0) < patch_radius",
+                   {"drop/state/run.hpp", "const bool patch = T(0) < patch_radius",
                     "const bool patch = T(0) <= patch_radius"}},
        .measure = measure_patch},
   };

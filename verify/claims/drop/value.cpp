@@ -283,7 +283,7 @@ std::vector<Claim> drop_value_claims() {
                   within("events", 10.0, "ulp of the width, and of where it is",
                          "the stretch ends where the event is, by some roundings; measured 2026-11-30 with 12 seeds: "
                          "1.2 to 2.8")},
-       .mutants = {{"drop/steps/runge_kutta.hpp", "result.c[5][i] = b;", "result.c[5][i] = T(-1) * b;"},
+       .mutants = {{"drop/schemes/runge_kutta.hpp", "result.c[5][i] = b;", "result.c[5][i] = T(-1) * b;"},
                    {"drop/motion/stretch.hpp", "T(t / touching->length)", "T(t / (T(1.0001) * touching->length))"}},
        .measure = measure_any_time},
       {.id = "DROP-34",

@@ -5,7 +5,7 @@
 #include <array>
 #include <goishi/drop/equations/kinetics.hpp>
 #include <goishi/drop/equations/rolling.hpp>
-#include <goishi/drop/steps/runge_kutta.hpp>
+#include <goishi/drop/schemes/runge_kutta.hpp>
 
 namespace goishi::detail {
 

@@ -6,7 +6,7 @@
 #include <goishi/drop/equations/kinetics.hpp>
 #include <goishi/drop/equations/resisting.hpp>
 #include <goishi/drop/equations/stage_rates.hpp>
-#include <goishi/drop/steps/runge_kutta.hpp>
+#include <goishi/drop/schemes/runge_kutta.hpp>
 #include <limits>
 
 namespace goishi::detail {

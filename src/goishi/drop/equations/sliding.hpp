@@ -7,7 +7,7 @@
 #include <goishi/drop/equations/kinetics.hpp>
 #include <goishi/drop/equations/rolling.hpp>
 #include <goishi/drop/equations/stage_rates.hpp>
-#include <goishi/drop/steps/runge_kutta.hpp>
+#include <goishi/drop/schemes/runge_kutta.hpp>
 
 namespace goishi::detail {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <goishi/drop/equations/carried.hpp>
 #include <goishi/drop/equations/kinetics.hpp>
-#include <goishi/drop/steps/runge_kutta.hpp>
+#include <goishi/drop/schemes/runge_kutta.hpp>
 #include <goishi/motion/free_flight.hpp>
 #include <optional>
 #include <variant>

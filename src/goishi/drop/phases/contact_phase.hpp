@@ -3,9 +3,9 @@
 /// The contact phase: from the moment at which a contact stays until it ends or the stone rests. The equations change
 /// where friction, the feature in contact or the sign of the normal force does; each change is located and recorded.
 
-#include <goishi/drop/phases/contact_state.hpp>
 #include <goishi/drop/phases/locked.hpp>
 #include <goishi/drop/phases/onset.hpp>
+#include <goishi/drop/state/contact_state.hpp>
 #include <goishi/drop/steps/integrator.hpp>
 #include <optional>
 

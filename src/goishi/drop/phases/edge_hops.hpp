@@ -6,8 +6,8 @@
 #include <goishi/contact/contact.hpp>
 #include <goishi/contact/stone_board.hpp>
 #include <goishi/contact/stone_plane.hpp>
-#include <goishi/drop/phases/run.hpp>
 #include <goishi/drop/rest/statics.hpp>
+#include <goishi/drop/state/run.hpp>
 #include <goishi/impact/laws.hpp>
 #include <limits>
 

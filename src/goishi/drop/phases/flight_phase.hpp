@@ -7,7 +7,7 @@
 #include <goishi/drop/phases/contact_phase.hpp>
 #include <goishi/drop/phases/edge_hops.hpp>
 #include <goishi/drop/phases/next_impact.hpp>
-#include <goishi/drop/phases/run.hpp>
+#include <goishi/drop/state/run.hpp>
 #include <goishi/impact/laws.hpp>
 
 namespace goishi {

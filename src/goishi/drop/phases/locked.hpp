@@ -4,9 +4,9 @@
 /// centre moves.
 
 #include <array>
-#include <goishi/drop/phases/run.hpp>
 #include <goishi/drop/rest/statics.hpp>
-#include <goishi/drop/steps/runge_kutta.hpp>
+#include <goishi/drop/schemes/runge_kutta.hpp>
+#include <goishi/drop/state/run.hpp>
 
 namespace goishi::detail {
 

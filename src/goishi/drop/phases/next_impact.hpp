@@ -3,7 +3,7 @@
 /// Where a flight ends: the plane, the board or the floor, asked only what the flight can reach.
 
 #include <goishi/contact/time_of_impact.hpp>
-#include <goishi/drop/phases/run.hpp>
+#include <goishi/drop/state/run.hpp>
 #include <limits>
 
 namespace goishi {

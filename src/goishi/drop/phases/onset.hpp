@@ -14,7 +14,7 @@
 
 #include <array>
 #include <goishi/drop/equations/kinetics.hpp>
-#include <goishi/drop/rest/cholesky.hpp>
+#include <goishi/drop/schemes/cholesky.hpp>
 #include <limits>
 
 namespace goishi::detail {

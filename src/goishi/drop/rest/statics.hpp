@@ -6,7 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <goishi/drop/equations/kinetics.hpp>
-#include <goishi/drop/rest/cholesky.hpp>
+#include <goishi/drop/schemes/cholesky.hpp>
 #include <limits>
 
 namespace goishi {

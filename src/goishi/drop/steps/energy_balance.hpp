@@ -2,7 +2,7 @@
 /// \file
 /// Energy as a witness of the contact phase's steps, and as what they are taken back to.
 
-#include <goishi/drop/phases/contact_state.hpp>
+#include <goishi/drop/state/contact_state.hpp>
 #include <limits>
 
 namespace goishi::detail {

@@ -6,11 +6,11 @@
 #include <goishi/drop/equations/gliding.hpp>
 #include <goishi/drop/equations/rolling.hpp>
 #include <goishi/drop/equations/sliding.hpp>
-#include <goishi/drop/phases/contact_state.hpp>
 #include <goishi/drop/rest/rest.hpp>
+#include <goishi/drop/schemes/runge_kutta.hpp>
+#include <goishi/drop/state/contact_state.hpp>
 #include <goishi/drop/steps/crossing.hpp>
 #include <goishi/drop/steps/energy_balance.hpp>
-#include <goishi/drop/steps/runge_kutta.hpp>
 #include <optional>
 #include <utility>
 #include <variant>

@@ -6,7 +6,7 @@
 #include <goishi/contact/stone_board.hpp>
 #include <goishi/drop/equations/kinetics.hpp>
 #include <goishi/drop/motion/stretch.hpp>
-#include <goishi/drop/phases/run.hpp>
+#include <goishi/drop/state/run.hpp>
 #include <limits>
 
 namespace goishi::detail {
