@@ -98,12 +98,13 @@ TEST_F(CliMesh, ReachesAsFarAsTheStone) {
 
 TEST_F(CliMesh, Statistics) {
   const std::string text = printed(words_of(mesh_33 + "--stats"));
-  for (const auto* line : {"The white stone of size 33, bevel 0.001 m, as a mesh by subdivision\n",
-                           "\nrings +2 +of triangles on each cap\n", "\nrows +1 +of triangles around the bevel\n",
-                           "\ntriangles +60\n", "\nvertices +32 +points with a normal\n", "\npoints +32\n",
-                           "\ndeviation +0\\.000[0-9]+ +m +the largest distance from the stone\n",
-                           "\nvolume +1\\.[0-9]+e-06 +m³ +the stone's: 1.84302e-06\n",
-                           "\nsurface area +0\\.000[0-9]+ +m² +the stone's: 0.000871129\n"}) {
+  for (const auto* line :
+       {"The white stone of size 33, bevel 0.001 m, as a mesh by subdivision\n",
+        "\nrings +2 +of triangles from the middle of a cap to its rim\n", "\nrows +1 +of triangles across the bevel\n",
+        "\nsegments +10 +around the rim\n", "\ntriangles +60\n", "\nvertices +32 +points with a normal\n",
+        "\npoints +32\n", "\ndeviation +0\\.000[0-9]+ +m +the largest distance from the stone\n",
+        "\nvolume +1\\.[0-9]+e-06 +m³ +the stone's: 1.84302e-06\n",
+        "\nsurface area +0\\.000[0-9]+ +m² +the stone's: 0.000871129\n"}) {
     EXPECT_TRUE(std::regex_search(text, std::regex(line))) << line << text;
   }
   EXPECT_TRUE(files().empty());

@@ -100,8 +100,9 @@ std::string statistics(const Subject& subject, const StoneMesh& mesh) {
   const auto count = [&add](std::string_view name, std::size_t value, std::string_view note = "") {
     add(name, std::to_string(value), "", note);
   };
-  count("rings", static_cast<std::size_t>(mesh.fineness.rings), "of triangles on each cap");
-  count("rows", static_cast<std::size_t>(mesh.fineness.rows), "of triangles around the bevel");
+  count("rings", static_cast<std::size_t>(mesh.fineness.rings), "of triangles from the middle of a cap to its rim");
+  count("rows", static_cast<std::size_t>(mesh.fineness.rows), "of triangles across the bevel");
+  count("segments", 5 * static_cast<std::size_t>(mesh.fineness.segments), "around the rim");
   count("triangles", mesh.mesh.triangles.size());
   count("vertices", mesh.mesh.points.size(), "points with a normal");
   count("points", topology(mesh.mesh).points);
