@@ -214,7 +214,7 @@ TEST(MeshFormats, ObjHasEachPointOnce) {
 TEST(MeshFormats, ObjGivesTheDoubleBack) {
   Mesh<double> mesh = box();
   for (Vec3<double>& p : mesh.points) {
-    p = p / 3 + Vec3<double>(0.1, 1e-7, 1);
+    p = p / 7 + Vec3<double>(1, 1e-7, 10) / 3;
   }
   const std::string text = as_obj(mesh, "a comment");
   std::size_t at = text.find("\nv ");
