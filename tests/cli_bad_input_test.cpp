@@ -103,16 +103,21 @@ std::vector<Place> places() {
       {"drop --size 33 --from 5cm --until @", "1", until, time_units},
       whole("drop --size 33 --from 5cm --until @-impacts", "2", until),
       whole(drop + "--csv /dev/null --series @", "3", rows + "0"),
+      place("mesh --stats --level 0 --height 1mm --width @", "2", lengths),
+      place("mesh --stats --level 0 --width 1 --height @", "1", lengths),
+      whole("mesh --stats --size 33 --level @", "1", "must be a whole number from 0 to 8"),
+      place("mesh --stats --size 33 --tolerance @", "1", lengths),
   };
   const std::pair<std::string, std::string> stones[] = {{"inertia", ""},
                                                         {"spin", "--spin 1,2,3 --time 1 "},
                                                         {"contact", "--position 0,0,1 "},
-                                                        {"drop", "--until 1ms --from 5cm "}};
+                                                        {"drop", "--until 1ms --from 5cm "},
+                                                        {"mesh", "--stats --level 0 "}};
   for (const auto& [command, more] : stones) {
     const std::string begin = command + " " + more;
     all.push_back(whole(begin + "--size @", "33", sizes));
     all.push_back(place(begin + "--size 33 --bevel @", "0", lengths));
-    if (command != "contact") {
+    if (command != "contact" && command != "mesh") {
       all.push_back(place(begin + "--size 33 --mass @", "1", masses));
       all.push_back(place(begin + "--size 33 --density @", "2700", densities));
     }
@@ -358,7 +363,7 @@ TEST_F(CliError, Formats) {
 }
 
 TEST_F(CliError, Usage) {
-  expect_error({}, "a command is needed: table, inertia, spin, contact or drop");
+  expect_error({}, "a command is needed: table, inertia, spin, contact, drop, mesh or body");
   expect_error({"bake"}, "not expected: bake");
   expect_error({"--bake"}, "not expected: --bake");
   expect_error({"table", "--bake"}, "not expected: --bake");

@@ -359,7 +359,13 @@ TEST_F(Cli, HelpNamesEveryOptionAndItsExamplesRun) {
        "--size --color --width --height --bevel --mass --density --from --position --tilt --tilt-axis --velocity "
        "--spin "
        "--on --restitution --friction --friction-model --slip-coefficient --patch-radius --rolling-resistance "
-       "--pivot-radius --gravity --law --until --tolerance --format --series --csv"}};
+       "--pivot-radius --gravity --law --until --tolerance --format --series --csv"},
+      {"mesh",
+       "--size --color --width --height --bevel --measured --method --level --tolerance --units --format --output "
+       "--stats"},
+      {"body",
+       "--size --color --width --height --bevel --measured --mass --density --method --level --tolerance --format "
+       "--output"}};
   const std::string all = printed({"--help"});
   EXPECT_EQ(printed({"-h"}), all);
   for (const auto& [command, options] : commands) {

@@ -75,23 +75,50 @@ mode_t permissions_for(const fs::path& target) {
   return 0666U & ~mask;
 }
 
-void replace(const fs::path& target, std::string_view text) {
-  if (::access(target.c_str(), W_OK) != 0 && errno != ENOENT) {
-    fail();
-  }
-  std::string temporary = (target.parent_path() / ".goishi-XXXXXX").string();
-  Descriptor file(::mkstemp(temporary.data()));
-  try {
-    write_all(file.get(), text);
-    if (::fchmod(file.get(), permissions_for(target)) != 0 || ::fsync(file.get()) != 0) {
+/// A file under a temporary name in its folder, until it is put in place, or gone.
+class Staged {
+ public:
+  Staged(fs::path target, std::string_view text) : target_(std::move(target)) {
+    if (::access(target_.c_str(), W_OK) != 0 && errno != ENOENT) {
       fail();
     }
-    file.close();
-    fs::rename(temporary, target);
-  } catch (...) {
-    ::unlink(temporary.c_str());
-    throw;
+    std::string name = (target_.parent_path() / ".goishi-XXXXXX").string();
+    Descriptor file(::mkstemp(name.data()));
+    temporary_ = std::move(name);
+    try {
+      write_all(file.get(), text);
+      if (::fchmod(file.get(), permissions_for(target_)) != 0 || ::fsync(file.get()) != 0) {
+        fail();
+      }
+      file.close();
+    } catch (...) {
+      remove();
+      throw;
+    }
   }
+  Staged(const Staged&) = delete;
+  Staged& operator=(const Staged&) = delete;
+  ~Staged() { remove(); }
+
+  void put_in_place() {
+    fs::rename(temporary_, target_);
+    temporary_.clear();
+  }
+
+ private:
+  void remove() {
+    if (!temporary_.empty()) {
+      ::unlink(temporary_.c_str());
+    }
+  }
+
+  fs::path target_;
+  std::string temporary_;
+};
+
+/// What a name leads to.
+fs::path target_of(const std::string& file) {
+  return fs::is_symlink(file) ? fs::canonical(file) : fs::path(file);
 }
 
 /// Devices and pipes, and whatever /dev/stdout stands for.
@@ -108,6 +135,14 @@ void write_directly(const std::string& target, std::string_view text) {
 
 }  // namespace
 
+std::string extension_of(const std::string& file) {
+  std::string extension = fs::path(file).extension().string();
+  extension.erase(0, 1);
+  std::ranges::transform(extension, extension.begin(),
+                         [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return extension;
+}
+
 void write_standard_output(std::string_view text) {
   try {
     write_all(STDOUT_FILENO, text);
@@ -121,10 +156,35 @@ void write_file(const std::string& argument, const std::string& file, std::strin
     if (is_stream(file)) {
       write_directly(file, text);
     } else {
-      replace(fs::is_symlink(file) ? fs::canonical(file) : fs::path(file), text);
+      Staged(target_of(file), text).put_in_place();
     }
   } catch (const std::system_error& error) {
     throw InvalidArgument(argument, file, "cannot be written: " + error.code().message());
+  }
+}
+
+void write_pair(const std::string& argument, const FileText& beside, const FileText& file) {
+  for (const FileText* one : {&file, &beside}) {
+    if (is_stream(one->name)) {
+      throw InvalidArgument(argument, file.name,
+                            one == &file ? "must be a file that can be replaced"
+                                         : "needs " + beside.name + " too, which is no file that can be replaced");
+    }
+  }
+  bool is_beside = true;  // what is being written
+  try {
+    Staged first(target_of(beside.name), beside.text);
+    is_beside = false;
+    Staged second(target_of(file.name), file.text);
+    is_beside = true;
+    first.put_in_place();
+    is_beside = false;
+    second.put_in_place();
+  } catch (const std::system_error& error) {
+    throw InvalidArgument(
+        argument, file.name,
+        (is_beside ? "needs " + beside.name + " too, which cannot be written: " : std::string("cannot be written: ")) +
+            error.code().message());
   }
 }
 

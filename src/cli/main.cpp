@@ -21,6 +21,7 @@
 #include "drop_command.hpp"
 #include "file.hpp"
 #include "inertia.hpp"
+#include "mesh_command.hpp"
 #include "report.hpp"
 #include "spin.hpp"
 #include "table.hpp"
@@ -33,7 +34,8 @@ namespace {
 constexpr int bad_usage = 2;
 
 constexpr const char* about =
-    "Shape, mass, moments of inertia, free rotation, contacts and drops of Go stones.\n"
+    "Shape, mass, moments of inertia, free rotation, contacts and drops of Go stones,\n"
+    "and their surfaces and bodies as files for other programs.\n"
     "The program computes with 50 digits, so that every digit it prints is right; what no\n"
     "closed form gives, drops, times of impact and methods that take steps, in double.";
 
@@ -50,7 +52,9 @@ constexpr const char* examples =
     "  goishi inertia --size 33 --bevel 1mm\n"
     "  goishi spin --size 33 --spin 0,5,60 --time 2.5\n"
     "  goishi contact --size 33 --position 0,0,0.01\n"
-    "  goishi drop --size 33 --bevel 1mm --from 5cm --tilt 20";
+    "  goishi drop --size 33 --bevel 1mm --from 5cm --tilt 20\n"
+    "  goishi mesh --size 33 --bevel 1mm --output stone.glb\n"
+    "  goishi body --size 33 --bevel 1mm --output stone.urdf";
 
 constexpr const char* table_examples = R"(
 Examples:
@@ -274,6 +278,8 @@ int run(int count, char** arguments) {
   SpinOptions spin;
   ContactOptions contact;
   DropOptions drop;
+  MeshOptions mesh;
+  BodyOptions body;
   CLI::App app(about, "goishi");
   app.set_version_flag("--version", version());
   app.require_subcommand(0, 1);
@@ -283,6 +289,8 @@ int run(int count, char** arguments) {
   add_spin(app, spin);
   add_contact(app, contact);
   add_drop(app, drop);
+  add_mesh(app, mesh);
+  add_body(app, body);
   try {
     app.parse(words_of(count, arguments));
   } catch (const CLI::ExtrasError&) {
@@ -297,7 +305,7 @@ int run(int count, char** arguments) {
     return 0;
   }
   if (app.get_subcommands().empty()) {
-    throw std::runtime_error("a command is needed: table, inertia, spin, contact or drop");
+    throw std::runtime_error("a command is needed: table, inertia, spin, contact, drop, mesh or body");
   }
   const CLI::App& command = *app.get_subcommands().front();
   try {
@@ -310,7 +318,13 @@ int run(int count, char** arguments) {
     if (command.get_name() == "spin") {
       return run_spin(spin);
     }
-    return command.get_name() == "contact" ? run_contact(contact) : run_drop(drop);
+    if (command.get_name() == "contact") {
+      return run_contact(contact);
+    }
+    if (command.get_name() == "drop") {
+      return run_drop(drop);
+    }
+    return command.get_name() == "mesh" ? run_mesh(mesh) : run_body(body);
   } catch (const InvalidArgument& error) {
     throw as_typed(command, error);
   }
