@@ -37,6 +37,64 @@ TEST(Board, OfOtherSizes) {
   EXPECT_DOUBLE_EQ(make_board<double>({.lines = 2, .border_x = 0.0}).half_width, 0.011);
 }
 
+TEST(Board, TheTalksIsTheDefault) {
+  const BoardDimensions<double> none, talk = board_dimensions<double>(Standard::talk);
+  for (double BoardDimensions<double>::*length :
+       {&BoardDimensions<double>::spacing_x, &BoardDimensions<double>::spacing_y, &BoardDimensions<double>::border_x,
+        &BoardDimensions<double>::border_y, &BoardDimensions<double>::thickness, &BoardDimensions<double>::legs}) {
+    EXPECT_EQ(none.*length, talk.*length);
+  }
+  EXPECT_EQ(none.lines, talk.lines);
+  // As they were typed, to the bit.
+  EXPECT_EQ(none.spacing_x, 22.0 / 1000.0);
+  EXPECT_EQ(none.spacing_y, 237.0 / 10000.0);
+  EXPECT_EQ(none.border_x, 141.0 / 10000.0);
+  EXPECT_EQ(none.border_y, 1395.0 / 100000.0);
+  EXPECT_EQ(none.thickness, 1515.0 / 10000.0);
+  EXPECT_EQ(none.legs, 0.0);
+  EXPECT_EQ(BoardDimensions<float>{}.spacing_y, 237.0F / 10000.0F);
+  // With other numbers of lines only the number changes.
+  const BoardDimensions<double> thirteen = board_dimensions<double>(Standard::talk, 13);
+  EXPECT_EQ(thirteen.lines, 13);
+  EXPECT_EQ(thirteen.border_x, talk.border_x);
+  EXPECT_EQ(thirteen.border_y, talk.border_y);
+}
+
+TEST(Board, TheNihonKiinsHasRoomForTwoBlackStones) {
+  const BoardDimensions<double> nihon_kiin = board_dimensions<double>(Standard::nihon_kiin);
+  EXPECT_EQ(nihon_kiin.spacing_x, 0.02233);
+  EXPECT_EQ(nihon_kiin.spacing_y, 0.02392);
+  EXPECT_EQ(nihon_kiin.border_x, 0.0112);
+  EXPECT_EQ(nihon_kiin.border_y, 0.012);
+  EXPECT_EQ(nihon_kiin.thickness, 0.1515);
+  const Board<double> board = make_board(nihon_kiin);
+  EXPECT_DOUBLE_EQ(2 * board.half_width, 0.42434);
+  EXPECT_DOUBLE_EQ(2 * board.half_length, 0.45456);
+  EXPECT_DOUBLE_EQ(make_board(board_dimensions<double>(Standard::nihon_kiin, 9)).half_width, 4 * 0.02233 + 0.0112);
+}
+
+TEST(Board, TheNihonKiinsWith13LinesKeepsItsSpacing) {
+  const BoardDimensions<double> thirteen = board_dimensions<double>(Standard::nihon_kiin, 13);
+  EXPECT_EQ(thirteen.spacing_x, 0.02233);
+  EXPECT_EQ(thirteen.border_x, 0.01102);
+  EXPECT_EQ(thirteen.border_y, 0.01398);
+  const Board<double> board = make_board(thirteen);
+  EXPECT_EQ(board.lines, 13);
+  EXPECT_DOUBLE_EQ(2 * board.half_width, 0.29);
+  EXPECT_DOUBLE_EQ(2 * board.half_length, 0.315);
+}
+
+TEST(Board, OneForTheFloorIsThickerAndHasLegs) {
+  for (const Standard standard : standards) {
+    const BoardDimensions<double> dimensions = board_dimensions<double>(standard);
+    const Board<double> lower = make_board(floor_board(dimensions));
+    EXPECT_EQ(lower.thickness, 0.182);
+    EXPECT_DOUBLE_EQ(lower.floor, -0.297);
+    EXPECT_DOUBLE_EQ(make_board(floor_board(dimensions, boards::long_legs)).floor, -0.302);
+    EXPECT_EQ(lower.half_width, make_board(dimensions).half_width);
+  }
+}
+
 TEST(Board, IntersectionsAreCentred) {
   const Board<double> real = make_board<double>();
   expect_near(intersection(real, 0, 0), {-0.198, -0.2133, 0.0}, 1e-16);
@@ -207,6 +265,12 @@ TEST(BoardBadInput, Dimensions) {
   }
   expect_invalid("border_x", [] { (void)make_board<double>({.lines = 1, .border_x = 0.0}); });
   expect_invalid("border_y", [] { (void)make_board<double>({.lines = 1, .border_y = 0.0}); });
+}
+
+TEST(BoardBadInput, Standards) {
+  expect_invalid("standard", [] { (void)board_dimensions<double>(static_cast<Standard>(2)); });
+  expect_invalid("lines", [] { (void)make_board(board_dimensions<double>(Standard::nihon_kiin, 0)); });
+  expect_invalid("legs", [] { (void)make_board(floor_board(board_dimensions<double>(Standard::talk), -1)); });
 }
 
 TEST(BoardBadInput, Intersections) {

@@ -80,13 +80,13 @@ std::string csv_of(double factor = 1.0, int wrong_row = -1) {
 TEST(CertifyTable, CertifiesEachNumber) {
   const Outcome outcome = certify_table(csv_of());
   EXPECT_TRUE(outcome.faults.empty()) << outcome.faults.front();
-  EXPECT_EQ(outcome.certified, 112);  // bevel and I_a
+  EXPECT_EQ(outcome.certified, 192);  // bevel and I_a
 }
 
 TEST(CertifyTable, FindsTheWrongNumber) {
   const Outcome outcome = certify_table(csv_of(1.0 + 1e-9, 7));
   ASSERT_EQ(outcome.faults.size(), 1U);
-  EXPECT_EQ(outcome.certified, 111);
+  EXPECT_EQ(outcome.certified, 191);
   EXPECT_NE(outcome.faults[0].find("axial of size 25 black, b = 1000 µm"), std::string::npos) << outcome.faults[0];
 }
 
@@ -113,9 +113,20 @@ TEST(CertifyTable, AWholeOneHasBothColorsSharpAndBevelled) {
   for (const char* part : {",white,", ",black,", ",0,", ",0.001,"}) {
     const std::string half = rows_of(csv_of(), part);
     EXPECT_TRUE(certify_table(half).faults.empty()) << part;
-    EXPECT_EQ(certify_table(half).certified, 56) << part;
+    EXPECT_EQ(certify_table(half).certified, 96) << part;
     EXPECT_EQ(certify_table(half, true).faults.size(), 2U) << part;
   }
+}
+
+TEST(CertifyTable, IsByOneStandard) {
+  const std::string row = "number,color,bevel_m,width_m\n33,black,0,";
+  const auto certified = [&](const char* width, Standard standard) {
+    return certify_table(row + width + "\n", false, standard).certified;
+  };
+  EXPECT_EQ(certified("0.0223", Standard::talk), 2);
+  EXPECT_EQ(certified("0.0222", Standard::nihon_kiin), 2);
+  EXPECT_EQ(certified("0.0222", Standard::talk), 1);  // the bevel
+  EXPECT_EQ(certified("0.0223", Standard::nihon_kiin), 1);
 }
 
 TEST(CertifyTable, AUnitIsOneOfTheQuantity) {

@@ -49,7 +49,7 @@ const std::string densities = "kg/m³, g/cm³";
 const std::string masses = "kg, g, mg";
 const std::string moment_units = "kg m², g cm²";
 const std::string time_units = "s, ms";
-const std::string sizes = "must be one of 22 25 28 30 31 32 33 34 35 36 37 38 39 40";
+const std::string sizes = "must be one of 22 25 28 30 31 32 33 34 35 36 37 38 39 40 41 42 43 44 45 46 47 48 49 50";
 
 /// Every option of every command that takes numbers.
 std::vector<Place> places() {
@@ -335,7 +335,7 @@ TEST_F(CliNumbers, AnAttitudeOfFewDigitsIsMadeUnit) {
 // --- combinations
 
 TEST_F(CliError, WhichStone) {
-  for (const std::string typed : {"41", "0", "-33", "99999999999999999999"}) {
+  for (const std::string typed : {"51", "29", "0", "-33", "99999999999999999999"}) {
     expect_error({"inertia", "--size", typed}, "size = " + typed + ": " + sizes);
   }
   expect_error({"inertia", "--size", "33", "--color", "red"}, "color = red: must be white or black");
@@ -351,6 +351,29 @@ TEST_F(CliError, WhichStone) {
   expect_error({"inertia", "--height", "9mm"}, "height = 9mm: needs --width too");
   expect_error({"inertia", "--width", "22mm", "--height", "9mm", "--color", "black"},
                "color = black: needs --size too");
+}
+
+TEST_F(CliError, WhichStandard) {
+  const std::string rule = ": must be talk or nihon-kiin";
+  const std::string commands[] = {"table",
+                                  "inertia --size 33",
+                                  "spin --size 33 --spin 1,2,3 --time 1",
+                                  "contact --size 33 --position 0,0,1",
+                                  "contact --size 33 --position 0,0,1 --against plane",
+                                  "contact --width 22mm --height 9mm --position 0,0,1",
+                                  "drop --size 33 --from 1cm",
+                                  "drop --size 33 --from 1cm --on plane",
+                                  "drop --width 22mm --height 9mm --from 1cm --on floor-board"};
+  for (const std::string& command : commands) {
+    for (const std::string typed : {"agfa", "Talk", "nihon_kiin", "1", ""}) {
+      expect_error(words_of(command) + Words{"--standard", typed}, "standard = " + typed + rule);
+    }
+  }
+  const std::string size = "standard = nihon-kiin: needs --size too";
+  expect_error(words_of("inertia --width 22mm --height 9mm --standard nihon-kiin"), size);
+  expect_error(words_of("spin --axial 1 --transverse 1 --spin 1,2,3 --time 1 --standard nihon-kiin"), size);
+  expect_error(words_of("contact --width 1 --height 1 --position 0,0,1 --against plane --standard nihon-kiin"), size);
+  expect_error(words_of("drop --width 22mm --height 9mm --from 1cm --on plane --standard nihon-kiin"), size);
 }
 
 TEST_F(CliError, Formats) {

@@ -42,7 +42,7 @@ TEST_F(CliDropError, TheNames) {
   expect({"--color", "red"}, "color = red: must be white or black");
   expect_each("friction-model", {"", "wet", "Dry"}, "must be dry, slip-proportional or coulomb-contensou");
   expect_each("law", {"", "newton", "chatterjee_ruina", "Stronge"}, "must be chatterjee-ruina, published or stronge");
-  expect_each("on", {"", "floor", "Board"}, "must be board or plane");
+  expect_each("on", {"", "floor", "Board"}, "must be board, floor-board or plane");
 }
 
 TEST_F(CliDropError, TheValues) {

@@ -22,7 +22,7 @@ TEST_F(CliCheck, AgreesWithWhatWasWritten) {
   for (const std::string name : {"a.txt", "a", "a.md", "a.csv", "a.json", "a.hpp", "a.h"}) {
     const std::string file = (work() / name).string();
     EXPECT_EQ(printed({"table", "--output", file}), "");
-    EXPECT_EQ(printed({"table", "--check", file}), file + ": all 56 rows agree\n");
+    EXPECT_EQ(printed({"table", "--check", file}), file + ": all 96 rows agree\n");
     EXPECT_EQ(run({"table", "--color", "white", "--check", file}).status, 1);
   }
   EXPECT_EQ(contents(work() / "a.csv"), printed({"table", "--format", "csv"}));
@@ -63,8 +63,8 @@ TEST_F(CliCheck, SeesWhatIsMissingAndWhatIsTooMuch) {
     return result.err.substr(("goishi: " + file + ": ").size());
   };
   EXPECT_EQ(difference(""), "line 1 is missing: 'number,color,bevel_m,width_m,height_m,outer_widt…'\n");
-  EXPECT_EQ(difference(text + "more\n"), "line 58 is too much: 'more'\n");
-  EXPECT_EQ(difference(text.substr(0, text.size() - 1)), "40 black, bevel 0.001 m (line 57) does not end\n");
+  EXPECT_EQ(difference(text + "more\n"), "line 98 is too much: 'more'\n");
+  EXPECT_EQ(difference(text.substr(0, text.size() - 1)), "50 black, bevel 0.001 m (line 97) does not end\n");
   const std::string shorter = text.substr(0, text.find("\n33,white,0,") + 1);
   EXPECT_TRUE(difference(shorter).starts_with("33 white, sharp (line 26) is missing: '33,white,"));
   EXPECT_TRUE(difference("N" + text.substr(1)).starts_with("line 1 differs: 'Number,"));

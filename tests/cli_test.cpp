@@ -108,6 +108,7 @@ void expect_properties(const Members& members, const Stone<double>& stone, const
 
 using CliInertia = Cli;
 using CliTable = Cli;
+using CliStandard = Cli;
 using CliUnits = Cli;
 
 // --- inertia
@@ -262,14 +263,15 @@ TEST_F(CliTable, JsonSaysTheSameAsCsvAndNamesItsUnits) {
   const std::string json = printed({"table", "--format", "json", "--units", "cgs"});
   const std::vector<std::string> lines = split(printed({"table", "--format", "csv", "--units", "cgs"}), '\n');
   const Members members = members_of(json);
-  ASSERT_EQ(members.size(), 12 + 1 + 56 * 14U);
+  ASSERT_EQ(members.size(), 12 + 2 + 96 * 14U);
   EXPECT_EQ(members[0], (Members::value_type{"bevel", "cm"}));
   EXPECT_EQ(members[8], (Members::value_type{"axial", "g cm²"}));
-  EXPECT_EQ(members[12], (Members::value_type{"density_assumed", "true"}));
-  for (std::size_t i = 0; i < 56; ++i) {
+  EXPECT_EQ(members[12], (Members::value_type{"standard", "talk"}));
+  EXPECT_EQ(members[13], (Members::value_type{"density_assumed", "true"}));
+  for (std::size_t i = 0; i < 96; ++i) {
     const std::vector<std::string> cells = split(lines[i + 1], ',');
     for (std::size_t j = 0; j < 14; ++j) {
-      EXPECT_EQ(members[13 + 14 * i + j].second, cells[j]);
+      EXPECT_EQ(members[14 + 14 * i + j].second, cells[j]);
     }
   }
   const Members given = members_of(printed({"table", "--format", "json", "--density", "2700"}));
@@ -290,7 +292,7 @@ TEST_F(CliTable, UnitsAreCgsOnRequest) {
 
 TEST_F(CliTable, TextIsAlignedAndFitsAScreen) {
   const std::vector<std::string> lines = split(printed({"table"}), '\n');
-  ASSERT_EQ(lines.size(), 5 + 56U);
+  ASSERT_EQ(lines.size(), 5 + 96U);
   EXPECT_NE(lines[1].find("assumed"), std::string::npos);
   EXPECT_NE(lines[3].find("I_a/m"), std::string::npos);
   EXPECT_NE(lines[4].find("kg m²"), std::string::npos);
@@ -304,7 +306,7 @@ TEST_F(CliTable, TextIsAlignedAndFitsAScreen) {
 
 TEST_F(CliTable, MarkdownIsATable) {
   const std::vector<std::string> lines = split(printed({"table", "--format", "markdown"}), '\n');
-  ASSERT_EQ(lines.size(), 5 + 56U);
+  ASSERT_EQ(lines.size(), 5 + 96U);
   EXPECT_NE(lines[1].find("assumed"), std::string::npos);
   EXPECT_NE(lines[3].find("| volume [m³] |"), std::string::npos) << lines[3];
   for (std::size_t i = 3; i < lines.size(); ++i) {
@@ -316,21 +318,21 @@ TEST_F(CliTable, OneColorOneBevelOneDensity) {
   const std::string csv =
       printed({"table", "--color", "black", "--bevel", "0.5mm", "--density", "2.6g/cm3", "--format", "csv"});
   const std::vector<std::string> lines = split(csv, '\n');
-  ASSERT_EQ(lines.size(), 15U);
+  ASSERT_EQ(lines.size(), 25U);
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const std::vector<std::string> cells = split(lines[i], ',');
     EXPECT_EQ(cells[1], "black");
     EXPECT_EQ(cells[2], "0.00050000000000000000");
     EXPECT_EQ(cells[8], "2600.0000000000000");
   }
-  EXPECT_EQ(split(printed({"table", "--color", "white", "--format", "csv"}), '\n').size(), 29U);
+  EXPECT_EQ(split(printed({"table", "--color", "white", "--format", "csv"}), '\n').size(), 49U);
 }
 
 TEST_F(CliTable, HeaderIsTheShippedOne) {
   EXPECT_EQ(printed({"table", "--format", "cpp"}), contents(GOISHI_TABLE_HEADER));
   const Result check = run({"table", "--check", GOISHI_TABLE_HEADER});
   EXPECT_EQ(check.status, 0) << check.err;
-  EXPECT_EQ(check.out, std::string(GOISHI_TABLE_HEADER) + ": all 56 rows agree\n");
+  EXPECT_EQ(check.out, std::string(GOISHI_TABLE_HEADER) + ": all 96 rows agree\n");
 }
 
 TEST_F(CliTable, HeaderSaysHowItWasMade) {
@@ -339,24 +341,115 @@ TEST_F(CliTable, HeaderSaysHowItWasMade) {
   EXPECT_NE(header.find("`goishi table --color white --bevel '1 mm' --density 2.7g/cm3 "
                         "--format cpp`"),
             std::string::npos);
-  EXPECT_NE(header.find("std::array<InertiaRow, 14>"), std::string::npos);
+  EXPECT_NE(header.find("std::array<InertiaRow, 24>"), std::string::npos);
   EXPECT_EQ(header.find("assumed"), std::string::npos);
+}
+
+// --- standards
+
+TEST_F(CliStandard, TheTalksIsTheDefault) {
+  for (const std::string command :
+       {"table --format cpp", "table", "inertia --size 33 --color black", "contact --size 33 --position 0.2,0,0.001",
+        "spin --size 45 --spin 1,2,3 --time 1", "drop --size 33 --from 1cm --position 0.21,0"}) {
+    EXPECT_EQ(printed(words_of(command + " --standard talk")), printed(words_of(command))) << command;
+  }
+}
+
+TEST_F(CliStandard, TheNihonKiinsTable) {
+  const std::vector<std::string> lines = split(printed(words_of("table --standard nihon-kiin --format csv")), '\n');
+  ASSERT_EQ(lines.size(), 97U);
+  std::size_t line = 0;
+  for (const catalogue::Size& size : catalogue::sizes) {
+    for (const StoneColor color : {StoneColor::white, StoneColor::black}) {
+      for (const double bevel : {0.0, 0.001}) {
+        const std::vector<std::string> cells = split(lines[++line], ',');
+        ASSERT_EQ(cells.size(), 14U);
+        const CatalogueStone entry = catalogue_stone(size.number, color, Standard::nihon_kiin);
+        const Stone<double> stone = make_stone(entry, bevel);
+        const auto body = mass_properties(stone, Density{static_cast<double>(entry.density)});
+        EXPECT_EQ(cells[0] + cells[1], std::to_string(size.number) + std::string(to_string(color)));
+        EXPECT_EQ(std::stod(cells[2]), bevel);
+        EXPECT_EQ(std::stod(cells[3]), color == StoneColor::white ? 0.0219 : 0.0222);
+        expect_close(std::stod(cells[10]), body.moments.axial, lines[line]);
+      }
+    }
+  }
+  EXPECT_NE(printed(words_of("table --standard nihon-kiin")).find("\nDimensions: nihon-kiin. "), std::string::npos);
+  EXPECT_EQ(value_of(members_of(printed(words_of("table --standard nihon-kiin --format json"))), "standard"),
+            "nihon-kiin");
+  const std::string header = printed(words_of("table --standard nihon-kiin --format cpp"));
+  EXPECT_NE(header.find("`goishi table --standard nihon-kiin --format cpp`"), std::string::npos);
+  EXPECT_NE(header.find("the standard `nihon-kiin`"), std::string::npos);
+  EXPECT_EQ(run(words_of("table --standard nihon-kiin --check " GOISHI_TABLE_HEADER)).status, 1);
+}
+
+TEST_F(CliStandard, StonesAndTheirTitles) {
+  const std::string of = " --standard nihon-kiin --size 50 --color black";
+  const auto stone = make_stone(0.0222, 0.0149);
+  expect_properties(members_of(printed(words_of("inertia --format json" + of))), stone,
+                    mass_properties(stone, Density{2750.0}));
+  for (const std::string command : {"inertia", "spin --spin 1,2,3 --time 1", "contact --position 0,0,0.1",
+                                    "contact --position 0,0,0.1 --against plane", "drop --from 1cm"}) {
+    const std::string text = printed(words_of(command + of));
+    EXPECT_TRUE(text.starts_with("The black stone of size 50, nihon-kiin")) << text;
+  }
+}
+
+TEST_F(CliStandard, BoardsAndWhatIsBesideThem) {
+  // Flat beside the board, at the level of its surface: the gap is what lies between rim and side.
+  const auto gap = [&](const std::string& options, const std::string& position) {
+    const std::string stone = "contact --width 20mm --height 9mm --format json --position ";
+    return number_of(members_of(printed(words_of(stone + position + " " + options))), "gap") * 1e3;
+  };
+  EXPECT_NEAR(gap("", "0.3,0,-0.01"), 300 - 10 - 212.1, 1e-12);
+  EXPECT_NEAR(gap("--standard nihon-kiin", "0.3,0,-0.01"), 300 - 10 - 212.17, 1e-12);
+  EXPECT_NEAR(gap("--standard nihon-kiin", "0,0.3,-0.01"), 300 - 10 - 227.28, 1e-12);
+  EXPECT_NEAR(gap("--standard nihon-kiin --lines 13", "0.3,0,-0.01"), 300 - 10 - 145, 1e-12);
+  EXPECT_NEAR(gap("--standard nihon-kiin --lines 13", "0,0.3,-0.01"), 300 - 10 - 157.5, 1e-12);
+  EXPECT_NEAR(gap("--lines 13", "0.3,0,-0.01"), 300 - 10 - (132 + 14.1), 1e-12);
+  const std::string title = printed(words_of("contact --size 33 --standard nihon-kiin --lines 13 --position 0,0,0.1"));
+  EXPECT_TRUE(
+      title.starts_with("The white stone of size 33, nihon-kiin, sharp, against the board with 13 lines, "
+                        "nihon-kiin\n"))
+      << title;
+}
+
+TEST_F(CliStandard, TheFloorIsBelowTheBoardAndItsLegs) {
+  // At rest beside the board, half a thickness above the floor.
+  const auto floor = [&](const std::string& options) {
+    const std::string text = printed(
+        words_of("drop --width 22mm --height 9mm --bevel 1mm --from 1cm --position 0.5,0 --format json " + options));
+    const std::string final = text.substr(text.find("\"final\""));
+    const std::size_t position = final.find("\"position\": [");
+    return std::stod(split(final.substr(position, final.find(']', position)), ',').at(2)) - 0.0045;
+  };
+  EXPECT_NEAR(floor(""), -0.1515, 1e-9);
+  EXPECT_NEAR(floor("--standard nihon-kiin --on board"), -0.1515, 1e-9);
+  EXPECT_NEAR(floor("--on floor-board"), -0.182 - 0.115, 1e-9);
+  const std::string title = printed(words_of("drop --size 33 --from 1cm --standard nihon-kiin --on floor-board"));
+  EXPECT_TRUE(
+      title.starts_with("The white stone of size 33, nihon-kiin, sharp, dropped on the floor board, "
+                        "nihon-kiin\n"))
+      << title;
 }
 
 // --- help
 
 TEST_F(Cli, HelpNamesEveryOptionAndItsExamplesRun) {
   const std::pair<std::string, std::string> commands[] = {
-      {"table", "--color --bevel --density --units --format --output --check"},
-      {"inertia", "--size --color --width --height --bevel --measured --mass --density --format"},
+      {"table", "--color --standard --bevel --density --units --format --output --check"},
+      {"inertia", "--size --color --standard --width --height --bevel --measured --mass --density --format"},
       {"spin",
-       "--size --color --bevel --mass --density --axial --transverse --spin --attitude --time --method --step --format "
+       "--size --color --standard --bevel --mass --density --axial --transverse --spin --attitude --time --method "
+       "--step --format "
        "--series"},
       {"contact",
-       "--size --color --width --height --bevel --position --attitude --against --other-position --other-attitude "
+       "--size --color --standard --width --height --bevel --position --attitude --against --other-position "
+       "--other-attitude "
        "--lines --velocity --spin --gravity --horizon --format"},
       {"drop",
-       "--size --color --width --height --bevel --mass --density --from --position --tilt --tilt-axis --velocity "
+       "--size --color --standard --width --height --bevel --mass --density --from --position --tilt --tilt-axis "
+       "--velocity "
        "--spin "
        "--on --restitution --friction --friction-model --slip-coefficient --patch-radius --rolling-resistance "
        "--pivot-radius --gravity --law --until --tolerance --format --series --csv"},

@@ -174,8 +174,8 @@ RC_GTEST_PROP(Stone, JointNormalIsAUnitVector, ()) {
   RC_ASSERT(stone.joint_sine >= 0);
 }
 
-TEST(Catalogue, HasFourteenSizesThatGrow) {
-  ASSERT_EQ(catalogue::sizes.size(), 14U);
+TEST(Catalogue, Has24SizesThatGrow) {
+  ASSERT_EQ(catalogue::sizes.size(), 24U);
   for (std::size_t i = 1; i < catalogue::sizes.size(); ++i) {
     EXPECT_LT(catalogue::sizes[i - 1].number, catalogue::sizes[i].number);
     EXPECT_LT(catalogue::sizes[i - 1].white_height, catalogue::sizes[i].white_height);
@@ -192,9 +192,51 @@ TEST(Catalogue, BlackIsThreeTenthsWiderAndSixTenthsThicker) {
   EXPECT_EQ(metres<double>(white.height), 0.0092);
 }
 
+TEST(Catalogue, TheNihonKiinsStonesAreATenthNarrower) {
+  for (const catalogue::Size& size : catalogue::sizes) {
+    for (const StoneColor color : {StoneColor::white, StoneColor::black}) {
+      const CatalogueStone talk = catalogue_stone(size.number, color);
+      const CatalogueStone nihon_kiin = catalogue_stone(size.number, color, Standard::nihon_kiin);
+      EXPECT_EQ(talk.standard, Standard::talk);
+      EXPECT_EQ(nihon_kiin.standard, Standard::nihon_kiin);
+      EXPECT_EQ(talk.width - nihon_kiin.width, 100);
+      EXPECT_EQ(talk.height, nihon_kiin.height);
+      EXPECT_EQ(talk.density, nihon_kiin.density);
+    }
+  }
+  EXPECT_EQ(make_stone(catalogue_stone(33, StoneColor::black, Standard::nihon_kiin)).width, 0.0222);
+}
+
+TEST(Catalogue, GoesTo50InStepsOfThreeTenths) {
+  for (int number = 33; number < 50; ++number) {
+    EXPECT_EQ(catalogue_stone(number + 1, StoneColor::white).height,
+              catalogue_stone(number, StoneColor::white).height + 300);
+  }
+  EXPECT_EQ(catalogue_stone(50, StoneColor::white).height, 14300);
+  const Stone<double> thickest = make_stone(catalogue_stone(50, StoneColor::black, Standard::nihon_kiin));
+  EXPECT_EQ(thickest.height, 0.0149);
+  EXPECT_LT(thickest.height, thickest.width);
+}
+
+TEST(Catalogue, StandardsHaveNames) {
+  for (const Standard standard : standards) {
+    EXPECT_EQ(standard_named(to_string(standard)), standard);
+  }
+  EXPECT_EQ(standard_named("talk"), Standard::talk);
+  EXPECT_EQ(standard_named("nihon-kiin"), Standard::nihon_kiin);
+  for (const char* name : {"", "Talk", "nihon_kiin", "nihon-kiin ", "nihon"}) {
+    EXPECT_EQ(standard_named(name), std::nullopt) << name;
+  }
+}
+
+TEST(Catalogue, RefusesAnUnknownStandard) {
+  expect_refused([] { (void)catalogue_stone(33, StoneColor::white, static_cast<Standard>(7)); }, "standard",
+                 "standard = 7: must be one of `standards`");
+}
+
 TEST(Catalogue, RefusesAnUnknownSize) {
   expect_refused([] { (void)catalogue_stone(23, StoneColor::white); }, "size",
-                 "size = 23: must be one of 22 25 28 30 31 32 33 34 35 36 37 38 39 40");
+                 "size = 23: must be one of 22 25 28 30 31 32 33 34 35 36 37 38 39 40 41 42 43 44 45 46 47 48 49 50");
 }
 
 }  // namespace

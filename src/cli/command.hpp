@@ -6,11 +6,14 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <goishi/board/board.hpp>
 #include <goishi/shape/catalogue.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "quantity.hpp"
+#include "subject.hpp"
 
 namespace goishi::cli {
 
@@ -40,6 +43,28 @@ inline std::string assumed_densities() {
 template <class Text>
 void add_value(CLI::App& command, Text& target, const char* name, const char* type, const std::string& help) {
   command.add_option(name, target, help)->type_name(type);
+}
+
+/// --standard, with what each has.
+inline void add_standard(CLI::App& command, std::optional<std::string>& target) {
+  const auto mm = [](int micrometres) { return micrometres / 1e3; };
+  std::string help = "Dimensions of catalogue stones and boards, in mm (diameters; between lines):";
+  for (const Standard standard : standards) {
+    const BoardDimensions<double> board = board_dimensions<double>(standard);
+    help += fmt::format("\n{}: {} white, {} black; {} × {}", to_string(standard),
+                        mm(catalogue_stone(33, StoneColor::white, standard).width),
+                        mm(catalogue_stone(33, StoneColor::black, standard).width), 1e3 * board.spacing_x,
+                        1e3 * board.spacing_y);
+  }
+  add_value(command, target, "--standard", "WHOSE", help + "\n[default: talk]");
+}
+
+/// The options that choose a stone of the catalogue; `otherwise` says what may be given in its place.
+inline void add_catalogue_stone(CLI::App& command, StoneOptions& stone, const char* otherwise) {
+  add_value(command, stone.size, "--size", "N",
+            fmt::format("Number of a catalogue stone, such as 33 (or give {})", otherwise));
+  add_value(command, stone.color, "--color", "COLOR", "white or black, with --size [default: white]");
+  add_standard(command, stone.standard);
 }
 
 }  // namespace goishi::cli

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "alignment.hpp"
+#include "catalogue.hpp"
 #include "contact_answer.hpp"
 #include "file.hpp"
 #include "json.hpp"
@@ -44,7 +45,7 @@ void check_combination(const ContactOptions& options, Against against) {
   if (!stone.size && !stone.width) {
     throw std::runtime_error("a stone is needed: --size, or --width and --height");
   }
-  require_with("color", stone.color, "size", stone.size);
+  check_catalogue(stone, against == Against::board);
   if (!options.position) {
     throw std::runtime_error("a position is needed: --position, such as --position 0,0,0.01");
   }
@@ -84,8 +85,10 @@ ContactQuestion question_of(const ContactOptions& options) {
   question.subject = subject_of(options.stone);
   question.stone = stone_of(question.subject);
   question.pose = parse_pose("position", *options.position, "attitude", options.attitude, question.notes);
-  question.lines = options.lines ? parse_whole("lines", *options.lines, 1, std::numeric_limits<int>::max())
-                                 : BoardDimensions<double>{}.lines;
+  question.standard = parse_standard(options.stone.standard);
+  if (options.lines) {
+    question.lines = parse_whole("lines", *options.lines, 1, std::numeric_limits<int>::max());
+  }
   if (question.against == Against::stone) {
     question.other =
         parse_pose("other-position", *options.other_position, "other-attitude", options.other_attitude, question.notes);
@@ -152,8 +155,8 @@ std::string title_of(const ContactQuestion& question) {
   const std::string stone = described(question.subject);
   switch (question.against) {
     case Against::board:
-      return fmt::format("{}, against the board with {} {}", stone, question.lines,
-                         question.lines == 1 ? "line" : "lines");
+      return fmt::format("{}, against the board with {} {}{}", stone, question.lines,
+                         question.lines == 1 ? "line" : "lines", named_unless_talk(question.standard));
     case Against::plane:
       return stone + ", against the plane z = 0";
     case Against::stone:

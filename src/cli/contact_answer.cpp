@@ -9,12 +9,17 @@ namespace goishi::cli {
 
 namespace {
 
+template <class T>
+Board<T> board_of(const ContactQuestion& question) {
+  return make_board(board_dimensions<T>(question.standard, question.lines));
+}
+
 Separation<Number> contact_of(const ContactQuestion& question) {
   const Stone<Number>& stone = question.stone;
   const Pose<Number>& pose = question.pose;
   switch (question.against) {
     case Against::board:
-      return separation(stone, pose, make_board<Number>({.lines = question.lines}));
+      return separation(stone, pose, board_of<Number>(question));
     case Against::plane:
       return separation(stone, pose, Plane<Number>{});
     case Against::stone:
@@ -74,7 +79,7 @@ TimeOfImpact<double> impact_of(const ContactQuestion& question) {
   const double horizon = in_flight("horizon", *question.horizon);
   switch (question.against) {
     case Against::board:
-      return time_of_impact(stone, path, make_board<double>({.lines = question.lines}), horizon);
+      return time_of_impact(stone, path, board_of<double>(question), horizon);
     case Against::plane:
       return time_of_impact(stone, path, Plane<double>{}, horizon);
     case Against::stone:
@@ -93,8 +98,7 @@ TimeOfImpact<double> impact_of(const ContactQuestion& question) {
 ContactAnswer answer_to(const ContactQuestion& question) {
   ContactAnswer answer{.contact = settled(contact_of(question), question), .region = {}, .impact = {}};
   if (question.against == Against::board) {
-    answer.region = region_of(make_board<Number>({.lines = question.lines}), question.pose.p_WB,
-                              Number(outer_width(question.stone) / 2));
+    answer.region = region_of(board_of<Number>(question), question.pose.p_WB, Number(outer_width(question.stone) / 2));
   }
   if (question.horizon) {
     answer.impact = impact_of(question);

@@ -24,7 +24,8 @@ struct ContactQuestion {
   Stone<Number> stone;
   Pose<Number> pose;
   Against against = Against::board;
-  int lines = 0;       // of the board
+  Standard standard = Standard::talk;  // of the board
+  int lines = BoardDimensions<Number>{}.lines;
   Pose<Number> other;  // of the other stone
   Vec3<Number> v_WB;   // if a horizon was given, these, too
   Vec3<Number> w_WB_B;

@@ -31,6 +31,7 @@ Examples:
   goishi drop --size 33 --from 1m --restitution 0.6 --until 3-impacts --format json
   goishi drop --size 33 --bevel 1mm --from 3cm --tilt 30 --position 0.21,0 --velocity 0.2,0,0
   goishi drop --size 33 --from 5mm --spin 0,1,60 --friction-model slip-proportional --until 1s
+  goishi drop --size 33 --standard nihon-kiin --from 5cm --velocity 0.5,0,0 --on floor-board
   goishi drop --width 22mm --height 9.2mm --mass 5g --from 2cm --gravity 1,0,-9.7 --on plane
 
 With --series 501 --csv drop.csv there is a table to plot, too.
@@ -39,9 +40,7 @@ Exit status: 0 done, 1 the drop was given up (what it reached is printed), 2 bad
 failed write, 3 the stone starts inside what it is dropped on (the depth is printed).)";
 
 void add_scene(CLI::App& drop, DropOptions& options) {
-  add_value(drop, options.stone.size, "--size", "N",
-            "Number of a catalogue stone, such as 33 (or give --width and --height)");
-  add_value(drop, options.stone.color, "--color", "COLOR", "white or black, with --size [default: white]");
+  add_catalogue_stone(drop, options.stone, "--width and --height");
   add_value(drop, options.stone.width, "--width", "LENGTH", "Diameter of the lens");
   add_value(drop, options.stone.height, "--height", "LENGTH", "Thickness, at most the width");
   add_value(drop, options.stone.bevel, "--bevel", "LENGTH",
@@ -55,8 +54,10 @@ void add_scene(CLI::App& drop, DropOptions& options) {
   add_value(drop, options.velocity, "--velocity", "X,Y,Z", "Velocity of the centre [default: 0,0,0]");
   add_value(drop, options.spin, "--spin", "X,Y,Z", "Angular velocity, in the body frame [default: 0,0,0]");
   add_value(drop, options.on, "--on", "WHAT",
-            "board: the 19-line one, off which a stone may fall to the floor;\n"
-            "plane: z = 0 without end [default: board]");
+            fmt::format("board: 19 lines, {:.6g} mm thick, off which a stone may fall to the floor;\n"
+                        "floor-board: {:.6g} mm thick, on legs of {:.6g} mm; plane: z = 0 without end\n"
+                        "[default: board]",
+                        boards::thickness / 1e3, boards::floor_board_thickness / 1e3, boards::short_legs / 1e3));
 }
 
 void add_settings(CLI::App& drop, DropOptions& options) {

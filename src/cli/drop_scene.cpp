@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "catalogue.hpp"
 #include "quantity.hpp"
 
 namespace goishi::cli {
@@ -115,13 +116,32 @@ Quat<double> parse_attitude_of(const Text& tilt, const Text& tilt_axis) {
   return {c.convert_to<double>(), s.x().convert_to<double>(), s.y().convert_to<double>(), s.z().convert_to<double>()};
 }
 
-void check_combination(const DropOptions& options) {
+enum class On { board, floor_board, plane };
+
+On parse_on(const Text& text) {
+  constexpr On grounds[] = {On::board, On::floor_board, On::plane};
+  return named("on", text, grounds, [](On on) {
+    return on == On::board ? "board" : on == On::floor_board ? "floor-board" : "plane";
+  });
+}
+
+void set_ground(DropScene& scene, On on, Standard standard) {
+  if (on == On::plane) {
+    scene.ground = "plane z = 0";
+    return;
+  }
+  const BoardDimensions<double> dimensions = board_dimensions<double>(standard);
+  scene.board = make_board(on == On::board ? dimensions : floor_board(dimensions));
+  scene.ground = (on == On::board ? "board" : "floor board") + named_unless_talk(standard);
+}
+
+void check_combination(const DropOptions& options, On on) {
   const StoneOptions& stone = options.stone;
   check_stone(stone);
   if (!stone.size && !stone.width) {
     throw std::runtime_error("a stone is needed: --size, or --width and --height");
   }
-  require_with("color", stone.color, "size", stone.size);
+  check_catalogue(stone, on != On::plane);
   if (!options.from) {
     throw std::runtime_error("a height is needed: --from, such as --from 5cm");
   }
@@ -188,13 +208,10 @@ std::string name_of(ImpactLaw law) {
 }
 
 DropScene scene_of(const DropOptions& options) {
-  check_combination(options);
-  enum class On { board, plane };
-  constexpr On grounds[] = {On::board, On::plane};
+  const On on = parse_on(options.on);
+  check_combination(options, on);
   DropScene scene;
-  if (named("on", options.on, grounds, [](On on) { return on == On::board ? "board" : "plane"; }) == On::board) {
-    scene.board = make_board<double>();
-  }
+  set_ground(scene, on, parse_standard(options.stone.standard));
   const Subject subject = subject_of(options.stone);
   scene.title = described(subject);
   const Stone<Number> stone = stone_of(subject);

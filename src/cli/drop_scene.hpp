@@ -20,6 +20,7 @@ struct DropScene {
   Stone<double> stone;
   RigidBody<double> body;
   std::optional<Board<double>> board;  // none: the plane z = 0
+  std::string ground;                  // "board", "floor board, nihon-kiin", "plane z = 0"
   State<double> start;
   DropSettings<double> settings;
   std::string until;  // what the drop is followed to, for people

@@ -94,9 +94,8 @@ std::string header_of(const DropScene& scene) {
       "mass {:.6g} kg{}, gravity {} m/s²\n"
       "restitution {:.6g} ({}), {}\n"
       "rolling resistance {:.6g} m, pivot radius {:.6g} m; tolerance {:.6g}; until {}\n\n",
-      scene.title, scene.board ? "board" : "plane z = 0", scene.body.mass,
-      scene.density_assumed ? " (density assumed)" : "", gravity, s.restitution, name_of(s.law), friction_of(s),
-      *s.rolling_resistance, *s.pivot_radius, s.tolerance, scene.until);
+      scene.title, scene.ground, scene.body.mass, scene.density_assumed ? " (density assumed)" : "", gravity,
+      s.restitution, name_of(s.law), friction_of(s), *s.rolling_resistance, *s.pivot_radius, s.tolerance, scene.until);
 }
 
 /// What was computed, but for what was not.

@@ -22,7 +22,7 @@ void check_combination(const InertiaOptions& options) {
   if (!stone.size && !stone.width) {
     throw std::runtime_error("a stone is needed: --size, or --width and --height");
   }
-  require_with("color", stone.color, "size", stone.size);
+  check_catalogue(stone);
   if (options.format != "text" && options.format != "json") {
     throw InvalidArgument("format", options.format, "must be text or json");
   }

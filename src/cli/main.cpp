@@ -40,7 +40,7 @@ constexpr const char* about =
     "closed form gives, drops, times of impact and methods that take steps, in double.";
 
 constexpr const char* about_table =
-    "The inertia of each stone size: 14 numbers, white and black,\n"
+    "The inertia of each stone size: 24 numbers, white and black,\n"
     "sharp and with a bevel of 1 mm (as published: the bevel shrinks the stone)";
 
 constexpr const char* about_inertia = "Everything about one stone, of the catalogue or any other";
@@ -60,6 +60,7 @@ constexpr const char* table_examples = R"(
 Examples:
   goishi table
   goishi table --color black --bevel 0.5mm --units cgs
+  goishi table --standard nihon-kiin --format markdown
   goishi table --density 2.7g/cm3 --output stones.csv
   goishi table --check src/goishi/mass/inertia_table.hpp
 
@@ -106,6 +107,7 @@ Examples:
   goishi contact --size 33 --bevel 1mm --position 216.1mm,0,2mm --attitude 0.8,0,0.6,0
   goishi contact --size 33 --position 0,0,0.1 --velocity 0,0,0 --spin 3,0,40 --horizon 1
   goishi contact --width 2 --height 1 --position 0,0,3 --against plane --format json
+  goishi contact --size 45 --standard nihon-kiin --lines 13 --position 0.14,0,0.01
   goishi contact --size 36 --position 0,0,0.005 --against stone --other-position 0.02,0,0.005
 
 Exit status: 0 done, 1 a search did not converge (what it reached is printed), 2 bad usage
@@ -114,6 +116,7 @@ or a failed write.)";
 void add_table(CLI::App& app, TableOptions& options) {
   CLI::App& table = *app.add_subcommand("table", about_table);
   add_value(table, options.color, "--color", "COLOR", "white, black or both [default: both]");
+  add_standard(table, options.standard);
   add_value(table, options.bevel, "--bevel", "LENGTH",
             "Height of every stone's bevel [default: a row with 0 and a row with 1mm]");
   add_value(table, options.density, "--density", "DENSITY", "Density of every stone\n" + assumed_densities());
@@ -130,9 +133,7 @@ void add_table(CLI::App& app, TableOptions& options) {
 
 void add_inertia(CLI::App& app, InertiaOptions& options) {
   CLI::App& inertia = *app.add_subcommand("inertia", about_inertia);
-  add_value(inertia, options.stone.size, "--size", "N",
-            "Number of a catalogue stone, such as 33 (or give --width and --height)");
-  add_value(inertia, options.stone.color, "--color", "COLOR", "white or black, with --size [default: white]");
+  add_catalogue_stone(inertia, options.stone, "--width and --height");
   add_value(inertia, options.stone.width, "--width", "LENGTH", "Diameter of the lens (see --measured)");
   add_value(inertia, options.stone.height, "--height", "LENGTH", "Thickness, at most the width");
   add_value(inertia, options.stone.bevel, "--bevel", "LENGTH",
@@ -171,9 +172,7 @@ constexpr const char* attitude_note =
 
 void add_spin(CLI::App& app, SpinOptions& options) {
   CLI::App& spin = *app.add_subcommand("spin", about_spin);
-  add_value(spin, options.stone.size, "--size", "N",
-            "Number of a catalogue stone, such as 33 (or give --axial and --transverse)");
-  add_value(spin, options.stone.color, "--color", "COLOR", "white or black, with --size [default: white]");
+  add_catalogue_stone(spin, options.stone, "--axial and --transverse");
   add_value(spin, options.stone.bevel, "--bevel", "LENGTH",
             "Height of the bevel, with --size; as published, it shrinks the stone\n[default: 0, sharp]");
   add_value(spin, options.stone.mass, "--mass", "MASS", "Mass of the stone, instead of a density");
@@ -199,9 +198,7 @@ void add_spin(CLI::App& app, SpinOptions& options) {
 
 void add_contact(CLI::App& app, ContactOptions& options) {
   CLI::App& contact = *app.add_subcommand("contact", about_contact);
-  add_value(contact, options.stone.size, "--size", "N",
-            "Number of a catalogue stone, such as 33 (or give --width and --height)");
-  add_value(contact, options.stone.color, "--color", "COLOR", "white or black, with --size [default: white]");
+  add_catalogue_stone(contact, options.stone, "--width and --height");
   add_value(contact, options.stone.width, "--width", "LENGTH", "Diameter of the lens");
   add_value(contact, options.stone.height, "--height", "LENGTH", "Thickness, at most the width");
   add_value(contact, options.stone.bevel, "--bevel", "LENGTH",
@@ -214,7 +211,7 @@ void add_contact(CLI::App& app, ContactOptions& options) {
   add_value(contact, options.other_position, "--other-position", "X,Y,Z", "The other stone's centre");
   add_value(contact, options.other_attitude, "--other-attitude", "W,X,Y,Z",
             "The other stone's attitude [default: 1,0,0,0]");
-  add_value(contact, options.lines, "--lines", "N", "Lines of the board, 22 and 23.7 mm apart [default: 19]");
+  add_value(contact, options.lines, "--lines", "N", "Lines of the board [default: 19]");
   add_value(contact, options.velocity, "--velocity", "X,Y,Z",
             "Velocity of the centre; the other stone stays where it is [default: 0,0,0]");
   add_value(contact, options.spin, "--spin", "X,Y,Z", "Angular velocity, in the body frame [default: 0,0,0]");

@@ -34,7 +34,7 @@ void check_combination(const SpinOptions& options) {
   if (!stone.size && !options.axial) {
     throw std::runtime_error("a body is needed: --size, or --axial and --transverse");
   }
-  require_with("color", stone.color, "size", stone.size);
+  check_catalogue(stone);
   require_with("bevel", stone.bevel, "size", stone.size);
   require_with("mass", stone.mass, "size", stone.size);
   require_with("density", stone.density, "size", stone.size);

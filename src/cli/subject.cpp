@@ -5,7 +5,7 @@
 #include <goishi/error.hpp>
 #include <goishi/shape/catalogue.hpp>
 
-#include "colors.hpp"
+#include "catalogue.hpp"
 #include "quantity.hpp"
 
 namespace goishi::cli {
@@ -32,6 +32,13 @@ void check_stone(const StoneOptions& options) {
   require_with("height", options.height, "width", options.width);
 }
 
+void check_catalogue(const StoneOptions& options, bool has_board) {
+  require_with("color", options.color, "size", options.size);
+  if (!has_board) {
+    require_with("standard", options.standard, "size", options.size);
+  }
+}
+
 Subject subject_of(const StoneOptions& options) {
   const Number bevel = options.bevel ? parse("bevel", *options.bevel, measure::length) : Number(0);
   if (!options.size) {
@@ -43,13 +50,15 @@ Subject subject_of(const StoneOptions& options) {
             .assumed_density = catalogue::assumed_white_density};
   }
   const StoneColor color = options.color ? parse_color(*options.color) : StoneColor::white;
-  const CatalogueStone entry = catalogue_stone(whole_number(*options.size).value_or(0), color);  // 0 is none
-  return {.title = fmt::format("The {} stone of size {}", to_string(color), entry.number),
-          .width = metres<Number>(entry.width),
-          .height = metres<Number>(entry.height),
-          .bevel = bevel,
-          .measured = options.measured,
-          .assumed_density = entry.density};
+  const Standard standard = parse_standard(options.standard);
+  const CatalogueStone entry = catalogue_stone(whole_number(*options.size).value_or(0), color, standard);  // 0 is none
+  return {
+      .title = fmt::format("The {} stone of size {}{}", to_string(color), entry.number, named_unless_talk(standard)),
+      .width = metres<Number>(entry.width),
+      .height = metres<Number>(entry.height),
+      .bevel = bevel,
+      .measured = options.measured,
+      .assumed_density = entry.density};
 }
 
 Stone<Number> stone_of(const Subject& subject) {

@@ -15,6 +15,7 @@ namespace goishi::cli {
 struct StoneOptions {
   std::optional<std::string> size;
   std::optional<std::string> color;
+  std::optional<std::string> standard;
   std::optional<std::string> width;
   std::optional<std::string> height;
   std::optional<std::string> bevel;
@@ -25,7 +26,7 @@ struct StoneOptions {
 
 /// The stone, before it is made.
 struct Subject {
-  std::string title;  // "The white stone of size 33"
+  std::string title;  // "The white stone of size 33", "The black stone of size 33, nihon-kiin"
   Number width;       // of the generating lens, or, if `measured`, of the finished stone
   Number height;
   Number bevel;
@@ -43,6 +44,9 @@ void require_with(const char* argument, const std::optional<std::string>& value,
 
 /// InvalidArgument when the options contradict each other.
 void check_stone(const StoneOptions& options);
+
+/// InvalidArgument when --color or --standard was given, and neither --size nor, for the standard, a board needs it.
+void check_catalogue(const StoneOptions& options, bool has_board = false);
 
 /// Domain  --size, or --width and --height, were given.
 [[nodiscard]] Subject subject_of(const StoneOptions& options);

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "colors.hpp"
+#include "catalogue.hpp"
 #include "file.hpp"
 #include "quantity.hpp"
 #include "report.hpp"
@@ -82,6 +82,9 @@ std::string command_of(const TableOptions& options, const Format& format) {
   if (options.color != "both") {
     add("color", options.color);
   }
+  if (parse_standard(options.standard) != Standard::talk) {
+    add("standard", *options.standard);
+  }
   if (options.bevel) {
     add("bevel", *options.bevel);
   }
@@ -94,6 +97,7 @@ std::string command_of(const TableOptions& options, const Format& format) {
 
 Table table_of(const TableOptions& options, const Format& format) {
   Table table{.rows = {},
+              .standard = parse_standard(options.standard),
               .units = units_of(options),
               .density_assumed = !options.density,
               .command = command_of(options, format)};
@@ -104,7 +108,7 @@ Table table_of(const TableOptions& options, const Format& format) {
   const std::vector<Number> bevels = bevels_of(options);
   for (const catalogue::Size& size : catalogue::sizes) {
     for (const StoneColor color : colors) {
-      const CatalogueStone entry = catalogue_stone(size.number, color);
+      const CatalogueStone entry = catalogue_stone(size.number, color, table.standard);
       for (const Number& bevel : bevels) {
         const Stone<Number> stone = make_stone(entry, bevel);
         const Density density{density_of(options, entry)};

@@ -10,6 +10,7 @@ namespace goishi::cli {
 /// As typed; what is not there was not given.
 struct TableOptions {
   std::string color = "both";
+  std::optional<std::string> standard;
   std::optional<std::string> bevel;
   std::optional<std::string> density;
   std::string units = "si";

@@ -55,8 +55,8 @@ std::string densities(const Table& table) {
 std::string title(const Table& table) {
   return fmt::format(
       "Inertia of Go stones about the centre of mass: I_a about the symmetry axis, I_t across it.\n"
-      "Density: {} {}.\n",
-      table.density_assumed ? "assumed," : "given,", densities(table));
+      "Dimensions: {}. Density: {} {}.\n",
+      to_string(table.standard), table.density_assumed ? "assumed," : "given,", densities(table));
 }
 
 std::string csv_key(const Table& table, std::size_t column) {
@@ -137,6 +137,8 @@ Document as_json(const Table& table) {
     write_string(writer, unit_of_column(table, column).name);
   }
   writer.EndObject();
+  write_key(writer, "standard");
+  write_string(writer, to_string(table.standard));
   write_key(writer, "density_assumed");
   writer.Bool(table.density_assumed);
   write_key(writer, "stones");

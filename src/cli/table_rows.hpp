@@ -22,6 +22,7 @@ struct TableRow {
 
 struct Table {
   std::vector<TableRow> rows;
+  Standard standard = Standard::talk;
   UnitSystem units = UnitSystem::si;
   bool density_assumed = true;
   std::string command;  // that makes this table

@@ -131,8 +131,9 @@ bool is_proved(const TableText& table, const std::string& text, const Ball& exac
   return is_certified(*printed, exact, table_digits);
 }
 
-void judge_row(const TableText& table, const std::vector<std::string>& row, const RowKey& key, Outcome& outcome) {
-  const StoneWitness witness = witness_of(catalogue_stone(key.number, key.color), key.bevel);
+void judge_row(const TableText& table, const std::vector<std::string>& row, const RowKey& key, Standard standard,
+               Outcome& outcome) {
+  const StoneWitness witness = witness_of(catalogue_stone(key.number, key.color, standard), key.bevel);
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     const Column& column = table.columns[i];
     const std::string& name = column.key;
@@ -151,7 +152,7 @@ void judge_row(const TableText& table, const std::vector<std::string>& row, cons
 }
 
 /// Each colour and bevel that occurs must have all sizes; in a whole table all four of them must occur.
-Outcome judge_table(const TableText& table, bool whole) {
+Outcome judge_table(const TableText& table, bool whole, Standard standard) {
   Outcome outcome;
   std::map<RowKey, int> rows;
   std::map<std::pair<StoneColor, int>, int> groups;
@@ -162,7 +163,7 @@ Outcome judge_table(const TableText& table, bool whole) {
   }
   for (const std::vector<std::string>& row : table.rows) {
     const RowKey key = key_of_row(table, row);
-    judge_row(table, row, key, outcome);
+    judge_row(table, row, key, standard, outcome);
     if (++rows[key] > 1) {
       outcome.faults.push_back(
           fmt::format("size {} {}, b = {} µm stands twice", key.number, to_string(key.color), key.bevel));
@@ -180,15 +181,15 @@ Outcome judge_table(const TableText& table, bool whole) {
 
 }  // namespace
 
-Outcome certify_table(std::string_view text, bool whole) {
-  return judge_table(read_table(text), whole);
+Outcome certify_table(std::string_view text, bool whole, Standard standard) {
+  return judge_table(read_table(text), whole, standard);
 }
 
 Outcome certify_document(std::string_view text, const std::filesystem::path& file) {
   const std::string_view document = document_of(file);
   Outcome outcome;
   if (document == documents.back()) {
-    outcome = judge_table(read_marked_table(text), false);
+    outcome = judge_table(read_marked_table(text), false, Standard::talk);
   }
   judge_sentences(text, exact_results(document), outcome);
   return outcome;

@@ -65,6 +65,9 @@ CLI::App* define_certify(CLI::App& app, Options& options) {
   certify->add_flag("--whole", options.whole,
                     "a table must have white and black stones, sharp and with b = 1 mm; else each color and bevel that "
                     "occurs must have all sizes");
+  certify->add_option("--standard", options.standard, "whose dimensions the tables' stones have: talk or nihon-kiin")
+      ->capture_default_str()
+      ->type_name("WHOSE");
   certify->footer(
       "Exit status: 0 every number is certified, 1 one is not, or no table is found, 2 bad usage.\n"
       "Example: goishi table --format csv | goishi-verify certify --whole -");
@@ -72,12 +75,16 @@ CLI::App* define_certify(CLI::App& app, Options& options) {
 }
 
 bool run_certify_command(const Options& options) {
+  const std::optional<Standard> standard = standard_named(options.standard);
+  if (!standard) {
+    throw InvalidArgument("standard", options.standard, "must be talk or nihon-kiin");
+  }
   if (options.tables.empty() && options.documents.empty()) {
     throw InvalidArgument("file", "(none)", "must be given");
   }
   bool all = true;
   for (const std::string& file : options.tables) {
-    all = judge_file(file, [&](std::string_view text) { return certify_table(text, options.whole); }) && all;
+    all = judge_file(file, [&](std::string_view text) { return certify_table(text, options.whole, *standard); }) && all;
   }
   for (const std::string& file : options.documents) {
     all = judge_file(file, [&](std::string_view text) { return certify_document(text, file); }) && all;

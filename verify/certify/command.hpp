@@ -12,6 +12,7 @@ struct Options {
   std::vector<std::string> tables;     // files, "-": standard input
   std::vector<std::string> documents;  // files
   bool whole = false;                  // tables must have both colours, sharp and bevelled
+  std::string standard = "talk";       // of the tables' stones
 };
 
 /// The subcommand, with its options.

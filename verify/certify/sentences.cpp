@@ -90,6 +90,11 @@ std::vector<Sentence> exact_results(std::string_view document) {
   const Meridian lens = lens_meridian(w, h);
   const PublishedBevel<Ball> published(lens.sphere_radius, lens.sphere_offset, b);
   const SpinningCap<Ball> spinning = spinning_cap(size_33, decimal("9.80665"));
+  // The middle of the class 33, which goes to the 34, and its lower bound.
+  const CatalogueStone size_34 = catalogue_stone(34, StoneColor::white);
+  const EnclosedIntegrals mean_33 =
+      integrate_rigorously(lens_meridian(w, (h + metres<Ball>(size_34.height)) / Ball(2)));
+  const Ball percent_heavier = Ball(100) * (mean_33.volume / value_of(sharp, "volume") - Ball(1));
   const std::string published_page(documents[0]), guide(documents[1]), readme(documents[2]);
   const Sentence right{"", "right is diag({}, {}, {})", {transverse, axial, transverse}};
   const Sentence minor_radius{
@@ -102,6 +107,9 @@ std::vector<Sentence> exact_results(std::string_view document) {
   };
   std::vector<Sentence> all = {
       in(readme, right),
+      {readme,
+       "33 is from {} to {} mm thick, and a stone in the middle of that is {} % heavier",
+       {Ball(1000) * h, Ball(1000) * metres<Ball>(size_34.height), percent_heavier}},
       in(readme, minor_radius),
       in(published_page, right),
       in(published_page, minor_radius),

@@ -25,7 +25,7 @@ namespace goishi::verify {
 [[nodiscard]] std::vector<Claim> domain_steppers_claims();   // DOMAIN: steps of every scheme, and invariants
 [[nodiscard]] std::vector<Claim> domain_motion_claims();     // DOMAIN: flights of any size and length
 [[nodiscard]] std::vector<Claim> domain_impact_claims();     // DOMAIN: impacts of any size
-[[nodiscard]] std::vector<Claim> table_claims();             // TABLE: the generated inertia table, certified
+[[nodiscard]] std::vector<Claim> table_claims();             // TABLE: the generated inertia table, certified; the sizes
 [[nodiscard]] std::vector<Claim> published_claims();         // PUBLISHED: the talk's numbers, reproduced and refuted
 [[nodiscard]] std::vector<Claim> flight_claims();  // FLIGHT, BATCH: the exact flight against Odeint, and what it keeps
 [[nodiscard]] std::vector<Claim> elliptic_claims();           // ELLIPTIC: the exact flight of an asymmetric body
@@ -37,7 +37,7 @@ namespace goishi::verify {
 [[nodiscard]] std::vector<Claim> surface_law_claims();        // SURFACE: what holds for any convex body of revolution
 [[nodiscard]] std::vector<Claim> mesh_tessellation_claims();  // MESH: triangles, their distance, their number
 [[nodiscard]] std::vector<Claim> mesh_solid_claims();         // MESH: what a mesh encloses, boxes, supports
-[[nodiscard]] std::vector<Claim> board_claims();              // BOARD: regions, rays
+[[nodiscard]] std::vector<Claim> board_claims();              // BOARD: regions, rays, the boards by standard
 [[nodiscard]] std::vector<Claim> contact_claims();            // CONTACT: plane and board against 50 digits and search
 [[nodiscard]] std::vector<Claim> contact_pair_claims();       // CONTACT: two stones against search
 [[nodiscard]] std::vector<Claim> contact_point_claims();      // CONTACT: normals and contact points

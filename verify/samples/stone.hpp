@@ -93,13 +93,16 @@ template <class T>
   return text.str();
 }
 
-/// Calls f(stone, name) for every catalogue stone.
+/// Calls f(stone, name) for every catalogue stone, by every standard.
 template <class F>
 void for_each_catalogue_stone(F&& f) {
-  for (const catalogue::Size& size : catalogue::sizes) {
-    for (const StoneColor color : {StoneColor::white, StoneColor::black}) {
-      f(catalogue_stone(size.number, color),
-        std::string("size ") + std::to_string(size.number) + " " + std::string(to_string(color)));
+  for (const Standard standard : standards) {
+    for (const catalogue::Size& size : catalogue::sizes) {
+      for (const StoneColor color : {StoneColor::white, StoneColor::black}) {
+        f(catalogue_stone(size.number, color, standard), std::string("size ") + std::to_string(size.number) + " " +
+                                                             std::string(to_string(color)) + ", " +
+                                                             std::string(to_string(standard)));
+      }
     }
   }
 }

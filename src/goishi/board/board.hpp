@@ -1,10 +1,11 @@
 #pragma once
 /// \file
-/// The board: lines, star points, sides; its nine regions.
+/// The board, by standard: lines, star points, sides; its nine regions.
 
 #include <goishi/error.hpp>
 #include <goishi/rotation.hpp>
 #include <goishi/scalar.hpp>
+#include <goishi/standard.hpp>
 #include <string_view>
 #include <vector>
 
@@ -23,20 +24,83 @@ struct Board {
   T floor = scalar::unset<T>();        // [m] z of the floor, at or below −thickness
 };
 
-/// What a board is made from   [m].
+namespace boards {
+
+/// Lengths of a standard   [µm].
+struct Grid {
+  int spacing_x;
+  int spacing_y;
+  int border_x;  // from the outermost line to the side
+  int border_y;
+};
+
+/// 19 lines: 424.2 × 454.5 mm. Source: the talk.
+inline constexpr Grid talk = {.spacing_x = 22000, .spacing_y = 23700, .border_x = 14100, .border_y = 13950};
+
+/// 19 lines: 424.34 × 454.56 mm. Source: the board as the Nihon Ki-in has it.
+inline constexpr Grid nihon_kiin = {.spacing_x = 22330, .spacing_y = 23920, .border_x = 11200, .border_y = 12000};
+
+/// The Nihon Ki-in's board with 13 lines, from side to side   [µm]. Source: as sold.
+inline constexpr int thirteen_width = 290000;
+inline constexpr int thirteen_length = 315000;
+
+/// Thickness   [µm]. Source: the talk (5 sun); the maker Tengudo, whose usual board for the floor has 6 sun.
+inline constexpr int thickness = 151500;
+inline constexpr int floor_board_thickness = 182000;
+
+/// Legs of a board for the floor, the shortest and the longest that are usual   [µm]. Source: as sold.
+inline constexpr int short_legs = 115000;
+inline constexpr int long_legs = 120000;
+
+}  // namespace boards
+
+/// What a board is made from   [m]. The default is the talk's 19-line board, 424.2 × 454.5 × 151.5 mm, without legs.
 template <class T>
 struct BoardDimensions {
   int lines = 19;
-  T spacing_x = T(22) / T(1000);
-  T spacing_y = T(237) / T(10000);
-  T border_x = T(141) / T(10000);  // from the outermost line to the side
-  T border_y = T(1395) / T(100000);
-  T thickness = T(1515) / T(10000);
+  T spacing_x = metres<T>(boards::talk.spacing_x);
+  T spacing_y = metres<T>(boards::talk.spacing_y);
+  T border_x = metres<T>(boards::talk.border_x);  // from the outermost line to the side
+  T border_y = metres<T>(boards::talk.border_y);
+  T thickness = metres<T>(boards::thickness);
   T legs = T(0);  // height of the board's underside over the floor
 };
 
+/// The dimensions of a standard's board, 151.5 mm thick and without legs   [m].
+///
+/// With any number of lines it has the spacing and the borders of 19. Only the Nihon Ki-in's board with 13 has a size of
+/// its own: the stones are the same, so the spacing is, and the borders are what is left of 290 × 315 mm,
+///
+///     (290 − 12 · 22.33)/2 = 11.02 mm,   (315 − 12 · 23.92)/2 = 13.98 mm
+///
+/// Domain  one of `standards`, else InvalidArgument; any number of lines: `make_board` judges it.
+/// Error   each length is rounded once; claim BOARD-3.
+template <Field T>
+[[nodiscard]] BoardDimensions<T> board_dimensions(Standard standard, int lines = 19) {
+  require(standard == Standard::talk || standard == Standard::nihon_kiin, "standard", static_cast<int>(standard),
+          "must be one of `standards`");
+  boards::Grid grid = standard == Standard::talk ? boards::talk : boards::nihon_kiin;
+  if (standard == Standard::nihon_kiin && lines == 13) {
+    grid.border_x = (boards::thirteen_width - 12 * grid.spacing_x) / 2;
+    grid.border_y = (boards::thirteen_length - 12 * grid.spacing_y) / 2;
+  }
+  return {.lines = lines,
+          .spacing_x = metres<T>(grid.spacing_x),
+          .spacing_y = metres<T>(grid.spacing_y),
+          .border_x = metres<T>(grid.border_x),
+          .border_y = metres<T>(grid.border_y)};
+}
+
+/// The same board as one that stands on the floor: 182 mm thick, on legs of whole micrometres.
+template <Field T>
+[[nodiscard]] BoardDimensions<T> floor_board(BoardDimensions<T> dimensions, int legs = boards::short_legs) {
+  dimensions.thickness = metres<T>(boards::floor_board_thickness);
+  dimensions.legs = metres<T>(legs);
+  return dimensions;
+}
+
 /// Domain  lines >= 1, spacings and thickness > 0, borders and legs >= 0, all finite, and so the whole board; else
-///         InvalidArgument. The default is the real 19-line board, 424.2 × 454.5 × 151.5 mm.
+///         InvalidArgument.
 template <Ordered T>
 [[nodiscard]] Board<T> make_board(const BoardDimensions<T>& dimensions = {}) {
   const auto require_not_negative = [](const char* argument, const T& value) {

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The inertia of one of the catalogue's stones, looked up.
+/// The inertia of one of the catalogue's stones by the talk's standard, looked up.
 
 #include <goishi/error.hpp>
 #include <goishi/mass/inertia_table.hpp>

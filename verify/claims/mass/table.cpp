@@ -1,8 +1,9 @@
 /// TABLE: every entry of the generated inertia table is the double nearest to the exact value, certified by an
-/// enclosure.
+/// enclosure; and the catalogue has the sizes that are published.
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <goishi/mass/inertia.hpp>
 #include <goishi/mass/inertia_table.hpp>
@@ -13,6 +14,7 @@
 #include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/oracles/numbers/ball.hpp"
+#include "verify/samples/stone.hpp"
 
 namespace goishi::verify {
 
@@ -117,6 +119,36 @@ Measurement measure_production(Context& context) {
   return worst.measurement();
 }
 
+/// The published thickness of a white stone   [0.1 mm].
+int published_height(int number) {
+  constexpr std::array<std::pair<int, int>, 6> thin = {{{22, 63}, {25, 70}, {28, 75}, {30, 80}, {31, 84}, {32, 88}}};
+  for (const auto& [known, height] : thin) {
+    if (known == number) {
+      return height;
+    }
+  }
+  return 92 + 3 * (number - 33);  // from 33 to 50
+}
+
+Measurement measure_catalogue(Context& context) {
+  Worst worst;
+  int stones = 0, greatest = 0;
+  for_each_catalogue_stone([&](const CatalogueStone& entry, const std::string& name) {
+    const bool black = entry.color == StoneColor::black;
+    const int width = (entry.standard == Standard::talk ? 220 : 219) + (black ? 3 : 0);
+    const int height = published_height(entry.number) + (black ? 6 : 0);
+    const auto see = [&](int micrometres, int tenths) {
+      worst.see(std::fabs(context.produced(static_cast<double>(micrometres)) - 100.0 * tenths), [&] { return name; });
+    };
+    see(entry.width, width);
+    see(entry.height, height);
+    ++stones;
+    greatest = std::max(greatest, entry.number);
+  });
+  worst.see(std::fabs(stones - 2.0 * 2.0 * (6 + 50 - 32)) + std::fabs(greatest - 50.0), [] { return "the numbers"; });
+  return worst.measurement();
+}
+
 }  // namespace
 
 std::vector<Claim> table_claims() {
@@ -132,7 +164,7 @@ std::vector<Claim> table_claims() {
        .mutants = {{"mass/inertia_table.hpp", "0.0051815133771277826", "0.005181513377127782"}},
        .measure = nearest_to(closed_forms)},
       {.id = "TABLE-2",
-       .statement = "The table has a row for each of the 14 sizes, white before black, sharp and with b = 1 mm.",
+       .statement = "The table has a row for each of the 24 sizes, white before black, sharp and with b = 1 mm.",
        .function = "inertia_table",
        .family = OracleFamily::exact,
        .oracle = "the catalogue",
@@ -163,6 +195,18 @@ std::vector<Claim> table_claims() {
        .checks = {within("", 0.0, "entries not proved", "an entry is the nearest double or it is not")},
        .mutants = {{"mass/inertia_table.hpp", "1.843023970534333e-06", "1.8430239705343332e-06"}},
        .measure = nearest_to(certify::witness_of)},
+      {.id = "TABLE-5",
+       .statement =
+           "The catalogue's stones are those that are published: 22 (talk) or 21.9 mm (Nihon Ki-in) wide, from "
+           "33, 9.2 mm thick, to 50 by 0.3 mm a number, black 0.3 mm wider and 0.6 mm thicker.",
+       .function = "catalogue_stone",
+       .family = OracleFamily::published,
+       .oracle = "the figures in tenths of a millimetre, and the rule from 33 on",
+       .checks = {within("", 0.0, "µm", "whole micrometres")},
+       .mutants = {{"shape/catalogue.hpp", "{45, 12800}", "{45, 12700}"},
+                   {"shape/catalogue.hpp", "white_width = 21900", "white_width = 22000"},
+                   {"shape/catalogue.hpp", "(black ? widths->black_thicker : 0)", "0"}},
+       .measure = measure_catalogue},
   };
 }
 

@@ -1,4 +1,4 @@
-/// BOARD: its nine regions, and rays.
+/// BOARD: its nine regions, rays, and the boards by standard.
 
 #include <fmt/format.h>
 
@@ -7,6 +7,8 @@
 #include <cmath>
 #include <goishi/board/ray.hpp>
 #include <goishi/contact/stone_board.hpp>
+#include <goishi/contact/stone_stone.hpp>
+#include <goishi/shape/catalogue.hpp>
 #include <string>
 
 #include "verify/claims/checks.hpp"
@@ -178,6 +180,87 @@ Measurement measure_rays(Context& context) {
   return checks.measurement();
 }
 
+// --- standards
+
+/// Two stones of a colour on neighbouring intersections along x (0) or y (1), and what is between them   [mm].
+struct Neighbours {
+  Standard standard;
+  StoneColor color;
+  int axis;
+  double gap;  // < 0: they overlap
+};
+
+constexpr std::array<Neighbours, 8> neighbours = {{{Standard::talk, StoneColor::white, 0, 0.0},
+                                                   {Standard::talk, StoneColor::black, 0, -0.3},
+                                                   {Standard::talk, StoneColor::white, 1, 1.7},
+                                                   {Standard::talk, StoneColor::black, 1, 1.4},
+                                                   {Standard::nihon_kiin, StoneColor::white, 0, 0.43},
+                                                   {Standard::nihon_kiin, StoneColor::black, 0, 0.13},
+                                                   {Standard::nihon_kiin, StoneColor::white, 1, 2.02},
+                                                   {Standard::nihon_kiin, StoneColor::black, 1, 1.72}}};
+
+void see_neighbours(const Context& context, Checks& checks, const Neighbours& two) {
+  const Stone<double> stone = make_stone<double>(catalogue_stone(33, two.color, two.standard));
+  const Board<double> board = make_board(board_dimensions<double>(two.standard));
+  const auto lying = [&](int i, int j) {
+    const Vec3<double> p_W = context.produced(intersection(board, i, j));
+    return Pose<double>{.p_WB = {p_W.x(), p_W.y(), stone.height / 2.0}, .q_WB = {1.0, 0.0, 0.0, 0.0}};
+  };
+  const Pose<double> one = lying(9, 9);
+  Pose<double> other = two.axis == 0 ? lying(10, 9) : lying(9, 10);
+  const auto describe_it = [&] {
+    return fmt::format("{} {}, along {}", to_string(two.standard), to_string(two.color), two.axis == 0 ? "x" : "y");
+  };
+  if (two.gap < 0.0 || 0.0 < two.gap) {
+    const bool overlap = separation(stone, one, stone, other).status == SeparationStatus::overlapping;
+    see_choice(checks["overlaps"], overlap == (two.gap < 0.0), describe_it);
+  }
+  // Slid together, or apart, by what is between them, they touch.
+  other.p_WB[two.axis] -= 1e-3 * two.gap;
+  checks["neighbours"].see(std::fabs(separation(stone, one, stone, other).gap), stone.width, describe_it);
+}
+
+/// Sides, and the height over the floor, as published   [mm].
+struct PublishedBoard {
+  std::string_view name;
+  BoardDimensions<double> dimensions;
+  double width, length, height;
+  double half_digit;  // 0: the figures are exact
+};
+
+void see_board(const Context& context, Checks& checks, const PublishedBoard& published) {
+  const Board<double> board = make_board(published.dimensions);
+  const auto see = [&](double metres, double millimetres, double half_digit, const char* what) {
+    const double error = std::fabs(1e3 * context.produced(metres) - millimetres);
+    checks[half_digit > 0.0 ? "as printed" : "sides"].see(
+        error, half_digit > 0.0 ? half_digit : epsilon * millimetres,
+        [&] { return fmt::format("{} of {}", what, published.name); });
+  };
+  see(2.0 * board.half_width, published.width, published.half_digit, "width");
+  see(2.0 * board.half_length, published.length, published.half_digit, "length");
+  see(-board.floor, published.height, 0.0, "height");
+}
+
+Measurement measure_standards(Context& context) {
+  Checks checks;
+  const auto talk = board_dimensions<double>(Standard::talk);
+  const auto nihon_kiin = board_dimensions<double>(Standard::nihon_kiin);
+  const PublishedBoard boards[] = {
+      {"the talk's board", talk, 424.2, 454.5, 151.5, 0.0},
+      {"the Nihon Ki-in's board", nihon_kiin, 424.3, 454.6, 151.5, 0.05},
+      {"the Nihon Ki-in's with 13 lines", board_dimensions<double>(Standard::nihon_kiin, 13), 290.0, 315.0, 151.5, 0.0},
+      {"the talk's for the floor", floor_board(talk), 424.2, 454.5, 182.0 + 115.0, 0.0},
+      {"the Nihon Ki-in's on long legs", floor_board(nihon_kiin, boards::long_legs), 424.3, 454.6, 182.0 + 120.0,
+       0.05}};
+  for (const PublishedBoard& board : boards) {
+    see_board(context, checks, board);
+  }
+  for (const Neighbours& two : neighbours) {
+    see_neighbours(context, checks, two);
+  }
+  return checks.measurement();
+}
+
 }  // namespace
 
 std::vector<Claim> board_claims() {
@@ -211,6 +294,25 @@ std::vector<Claim> board_claims() {
                    {"board/ray.hpp", "result.n_W[first.axis] = T(first.high ? 1 : -1);",
                     "result.n_W[first.axis] = T(1);"}},
        .measure = measure_rays},
+      {.id = "BOARD-3",
+       .statement =
+           "The boards have the published sides; on neighbouring lines two black stones of the talk overlap by "
+           "0.3 mm, its white ones touch, and between those of the Nihon Ki-in are 0.13 and 0.43 mm.",
+       .function = "board_dimensions, floor_board, catalogue_stone, separation (two stones)",
+       .family = OracleFamily::published,
+       .oracle = "the published figures, and their differences by hand",
+       .checks = {within("sides", 4.0, "ε of the side", "spacing and border rounded once each, twice a sum", 0.5),
+                  within("as printed", 1.0, "half last printed digits", "424.34 × 454.56 mm, printed with one decimal",
+                         1e-9),
+                  within("neighbours", 4.0 * epsilon, "of the width", "spacing, width and figure rounded once each",
+                         0.5 * epsilon),
+                  none("overlaps", "pairs that overlap and should not, or the reverse")},
+       .mutants = {{"board/board.hpp", ".spacing_x = 22330", ".spacing_x = 22030"},
+                   {"board/board.hpp", "(boards::thirteen_length - 12 * grid.spacing_y) / 2",
+                    "(boards::thirteen_length - 13 * grid.spacing_y) / 2"},
+                   {"board/board.hpp", "metres<T>(boards::floor_board_thickness)", "metres<T>(boards::thickness)"},
+                   {"shape/catalogue.hpp", "white_width = 22000", "white_width = 21900"}},
+       .measure = measure_standards},
   };
 }
 
