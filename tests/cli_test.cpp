@@ -454,10 +454,12 @@ TEST_F(Cli, HelpNamesEveryOptionAndItsExamplesRun) {
        "--on --restitution --friction --friction-model --slip-coefficient --patch-radius --rolling-resistance "
        "--pivot-radius --gravity --law --until --tolerance --format --series --csv"},
       {"mesh",
-       "--size --color --width --height --bevel --measured --method --level --tolerance --units --format --output "
+       "--size --color --standard --width --height --bevel --measured --method --level --tolerance --units --format "
+       "--output "
        "--stats"},
       {"body",
-       "--size --color --width --height --bevel --measured --mass --density --method --level --tolerance --format "
+       "--size --color --standard --width --height --bevel --measured --mass --density --method --level --tolerance "
+       "--format "
        "--output"}};
   const std::string all = printed({"--help"});
   EXPECT_EQ(printed({"-h"}), all);

@@ -19,7 +19,7 @@ Examples:
   goishi mesh --size 33 --bevel 1mm --output stone.glb
   goishi mesh --size 33 --color black --tolerance 1um --units mm --output black.stl --stats
   goishi mesh --width 22mm --height 9.2mm --method rings --level 5 --output stone.ply
-  goishi mesh --size 40 --bevel 1mm --level 3 --format obj --output -
+  goishi mesh --size 40 --standard nihon-kiin --level 3 --format obj --output -
 
 Exit status: 0 done, 2 bad usage or a failed write.)";
 
@@ -39,9 +39,7 @@ Exit status: 0 done, 2 bad usage or a failed write.)";
 
 /// The stone, but for its mass.
 void add_shape(CLI::App& command, StoneOptions& stone) {
-  add_value(command, stone.size, "--size", "N",
-            "Number of a catalogue stone, such as 33 (or give --width and --height)");
-  add_value(command, stone.color, "--color", "COLOR", "white or black, with --size [default: white]");
+  add_catalogue_stone(command, stone, "--width and --height");
   add_value(command, stone.width, "--width", "LENGTH", "Diameter of the lens (see --measured)");
   add_value(command, stone.height, "--height", "LENGTH", "Thickness, at most the width");
   add_value(command, stone.bevel, "--bevel", "LENGTH", "Height of the bevel, below the height [default: 0, sharp]");
