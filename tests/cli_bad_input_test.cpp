@@ -374,6 +374,7 @@ TEST_F(CliError, WhichStandard) {
   expect_error(words_of("spin --axial 1 --transverse 1 --spin 1,2,3 --time 1 --standard nihon-kiin"), size);
   expect_error(words_of("contact --width 1 --height 1 --position 0,0,1 --against plane --standard nihon-kiin"), size);
   expect_error(words_of("drop --width 22mm --height 9mm --from 1cm --on plane --standard nihon-kiin"), size);
+  expect_error(words_of("mesh --width 22mm --height 9mm --stats --standard nihon-kiin"), size);
 }
 
 TEST_F(CliError, Formats) {
