@@ -6,7 +6,7 @@
 #include <goishi/mesh/deviation.hpp>
 #include <stdexcept>
 
-#include "colors.hpp"
+#include "catalogue.hpp"
 #include "quantity.hpp"
 
 namespace goishi::cli {
@@ -33,7 +33,7 @@ void check_one_stone(const StoneOptions& options) {
   if (!options.size && !options.width) {
     throw std::runtime_error("a stone is needed: --size, or --width and --height");
   }
-  require_with("color", options.color, "size", options.size);
+  check_catalogue(options, false);
 }
 
 StoneMesh mesh_of(const Subject& subject, const MeshChoice& choice, int default_level) {
