@@ -67,4 +67,24 @@ inline void add_catalogue_stone(CLI::App& command, StoneOptions& stone, const ch
   add_standard(command, stone.standard);
 }
 
+/// The options that choose any stone, but for its mass.
+inline void add_shape(CLI::App& command, StoneOptions& stone) {
+  add_catalogue_stone(command, stone, "--width and --height");
+  add_value(command, stone.width, "--width", "LENGTH", "Diameter of the lens (see --measured)");
+  add_value(command, stone.height, "--height", "LENGTH", "Thickness, at most the width");
+  add_value(command, stone.bevel, "--bevel", "LENGTH", "Height of the bevel, below the height [default: 0, sharp]");
+  command
+      .add_flag("--measured", stone.measured,
+                "The width is that of the finished stone; without this,\n"
+                "as published, the bevel shrinks the stone")
+      ->disable_flag_override();
+}
+
+/// What its mass follows from.
+inline void add_mass(CLI::App& command, StoneOptions& stone) {
+  add_value(command, stone.mass, "--mass", "MASS", "Mass of the stone, instead of a density");
+  add_value(command, stone.density, "--density", "DENSITY",
+            "Density of the stone; --width without one is taken as white\n" + assumed_densities());
+}
+
 }  // namespace goishi::cli

@@ -133,19 +133,8 @@ void add_table(CLI::App& app, TableOptions& options) {
 
 void add_inertia(CLI::App& app, InertiaOptions& options) {
   CLI::App& inertia = *app.add_subcommand("inertia", about_inertia);
-  add_catalogue_stone(inertia, options.stone, "--width and --height");
-  add_value(inertia, options.stone.width, "--width", "LENGTH", "Diameter of the lens (see --measured)");
-  add_value(inertia, options.stone.height, "--height", "LENGTH", "Thickness, at most the width");
-  add_value(inertia, options.stone.bevel, "--bevel", "LENGTH",
-            "Height of the bevel, below the height [default: 0, sharp]");
-  inertia
-      .add_flag("--measured", options.stone.measured,
-                "The width is that of the finished stone; without this,\n"
-                "as published, the bevel shrinks the stone")
-      ->disable_flag_override();
-  add_value(inertia, options.stone.mass, "--mass", "MASS", "Mass of the stone, instead of a density");
-  add_value(inertia, options.stone.density, "--density", "DENSITY",
-            "Density of the stone; --width without one is taken as white\n" + assumed_densities());
+  add_shape(inertia, options.stone);
+  add_mass(inertia, options.stone);
   add_value(inertia, options.format, "--format", "FORMAT",
             "text: 6 significant digits, two unit systems; json: 17, SI units\n[default: text]");
   inertia.footer(numbers_note({measure::length, measure::density, measure::mass}) + inertia_examples);

@@ -37,19 +37,6 @@ Examples:
 
 Exit status: 0 done, 2 bad usage or a failed write.)";
 
-/// The stone, but for its mass.
-void add_shape(CLI::App& command, StoneOptions& stone) {
-  add_catalogue_stone(command, stone, "--width and --height");
-  add_value(command, stone.width, "--width", "LENGTH", "Diameter of the lens (see --measured)");
-  add_value(command, stone.height, "--height", "LENGTH", "Thickness, at most the width");
-  add_value(command, stone.bevel, "--bevel", "LENGTH", "Height of the bevel, below the height [default: 0, sharp]");
-  command
-      .add_flag("--measured", stone.measured,
-                "The width is that of the finished stone; without this,\n"
-                "as published, the bevel shrinks the stone")
-      ->disable_flag_override();
-}
-
 void add_choice(CLI::App& command, MeshChoice& choice, int default_level) {
   add_value(command, choice.method, "--method", "METHOD",
             "subdivision: triangles alike; rings: by longitude and latitude, as a globe\n[default: subdivision]");
@@ -79,9 +66,7 @@ void add_mesh(CLI::App& app, MeshOptions& options) {
 void add_body(CLI::App& app, BodyOptions& options) {
   CLI::App& body = *app.add_subcommand("body", about_body);
   add_shape(body, options.stone);
-  add_value(body, options.stone.mass, "--mass", "MASS", "Mass of the stone, instead of a density");
-  add_value(body, options.stone.density, "--density", "DENSITY",
-            "Density of the stone; --width without one is taken as white\n" + assumed_densities());
+  add_mass(body, options.stone);
   add_choice(body, options.choice, default_body_level);
   add_value(body, options.format, "--format", "FORMAT",
             "urdf, sdf or mjcf [default: what the extension of FILE says, .xml: mjcf]");

@@ -33,7 +33,7 @@ void check_one_stone(const StoneOptions& options) {
   if (!options.size && !options.width) {
     throw std::runtime_error("a stone is needed: --size, or --width and --height");
   }
-  check_catalogue(options);
+  check_catalogue(options, false);
 }
 
 StoneMesh mesh_of(const Subject& subject, const MeshChoice& choice, int default_level) {
