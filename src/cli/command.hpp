@@ -51,7 +51,7 @@ inline void add_standard(CLI::App& command, std::optional<std::string>& target) 
   std::string help = "Dimensions of catalogue stones and boards, in mm (diameters; between lines):";
   for (const Standard standard : standards) {
     const BoardDimensions<double> board = board_dimensions<double>(standard);
-    help += fmt::format("\n{}: {} white, {} black; {} × {}", to_string(standard),
+    help += fmt::format("\n{}: {:.6g} white, {:.6g} black; {:.6g} × {:.6g}", to_string(standard),
                         mm(catalogue_stone(33, StoneColor::white, standard).width),
                         mm(catalogue_stone(33, StoneColor::black, standard).width), 1e3 * board.spacing_x,
                         1e3 * board.spacing_y);

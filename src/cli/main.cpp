@@ -200,7 +200,8 @@ void add_contact(CLI::App& app, ContactOptions& options) {
   add_value(contact, options.other_position, "--other-position", "X,Y,Z", "The other stone's centre");
   add_value(contact, options.other_attitude, "--other-attitude", "W,X,Y,Z",
             "The other stone's attitude [default: 1,0,0,0]");
-  add_value(contact, options.lines, "--lines", "N", "Lines of the board [default: 19]");
+  add_value(contact, options.lines, "--lines", "N",
+            "Lines of the board; with 13, that of nihon-kiin has borders of its own [default: 19]");
   add_value(contact, options.velocity, "--velocity", "X,Y,Z",
             "Velocity of the centre; the other stone stays where it is [default: 0,0,0]");
   add_value(contact, options.spin, "--spin", "X,Y,Z", "Angular velocity, in the body frame [default: 0,0,0]");
