@@ -126,10 +126,10 @@ Measurement measure_bounds(Context& context) {
       return static_cast<double>(Digits50(unit.dot(exact(pose.p_WB)) + rho * across + height * along));
     };
     const Bounds<double> box = bounds(specimen.stone, pose);
-    for (int axis = 0; axis < 3; ++axis) {
-      const Vec3<double> e = Vec3<double>::Unit(axis);
-      checks["box"].see(std::fabs(context.produced(box.high[axis]) - expected(e)), scale, told);
-      checks["box"].see(std::fabs(context.produced(box.low[axis]) + expected(-e)), scale, told);
+    for (int k = 0; k < 3; ++k) {
+      const Vec3<double> e = Vec3<double>::Unit(k);
+      checks["box"].see(std::fabs(context.produced(box.high[k]) - expected(e)), scale, told);
+      checks["box"].see(std::fabs(context.produced(box.low[k]) + expected(-e)), scale, told);
     }
     const Vec3<double> n = i % 5 == 0 ? Vec3<double>::Unit(i % 3) : draw_unit(context);
     const SupportInWorld<double> seen = support(specimen.stone, pose, n);
