@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 #include "verify/reference/bracket.hpp"
 #include "verify/reference/encounters.hpp"
@@ -26,19 +27,30 @@ double size_of(const Encounter& of) {
   return first + of.other.shape.width + length_of(of.other.position);
 }
 
-/// The normal of a gap between cores: round-off of the size turns it by so much more the nearer they are.
-template <class T>
-void add_contact(Answers<T>& answers, double size, double core_gap, bool of_plane, const Vec3<T>& n,
-                 const Vec3<T>& p_stone, const Vec3<T>& p_other) {
-  const double turn = of_plane ? 1.0 : 1.0 + size / core_gap;
-  answers.push_back(answer("normal", n, scale_of(turn)));
-  answers.push_back(answer("point", p_stone, scale_of(size * turn)));
-  answers.push_back(answer("other_point", p_other, scale_of(size * turn)));
-}
-
 double bevels_of(const Encounter& of) {
   const double first = stone_of<double>(of.first.shape).bevel_minor_radius;
   return of.against == Against::stone ? first + stone_of<double>(of.other.shape).bevel_minor_radius : first;
+}
+
+/// How far apart the cores are, and the radii of the spheres that face each other across the gap: round-off of a length turns
+/// the normal by so much of that.
+double lever_of(const Encounter& of, const Separation<double>& met, double time) {
+  if (of.against == Against::plane) {
+    return std::numeric_limits<double>::infinity();
+  }
+  const World<double> world(of);
+  const auto radius = [&](const Flyer<double>& flyer) {
+    const detail::SeenNormal<double> seen = detail::see<double>(flyer.at(time).u_W, met.n_W);
+    return detail::meets_cap(flyer.stone, seen.direction) ? flyer.stone.core_sphere_radius : 0.0;
+  };
+  return std::fmax(met.gap, 0.0) + bevels_of(of) + radius(world.first) +
+         (of.against == Against::stone ? radius(world.other) : 0.0);
+}
+
+template <class T>
+void add_contact(Answers<T>& answers, double size, double lever, const Vec3<T>& n, const Vec3<T>& p_stone) {
+  answers.push_back(answer("normal", n, scale_of(1.0 + size / lever)));
+  answers.push_back(answer("point", p_stone, scale_of(size + size * size / lever)));
 }
 
 /// Whether a gap has a normal and points that a double tells: not where the cores all but touch.
@@ -50,19 +62,20 @@ Answers<double> computed_gap(const Encounter& of) {
   const Separation<double> found = separation_of(of);
   Answers<double> answers = {answer("gap", found.gap)};
   if (has_contact(of, found.gap)) {
-    add_contact(answers, 1.0, 1.0, true, found.n_W, found.p_stone, found.p_other);
+    add_contact(answers, 1.0, 1.0, found.n_W, found.p_stone);
+    answers.push_back(answer("other_point", found.p_other, 1.0));
   }
   return answers;
 }
 
 Answers<OrderedBall> enclosed_gap_answers(const Encounter& of) {
   const EnclosedGap found = enclosed_gap(of, OrderedBall(0));
-  const double size = size_of(of), gap = static_cast<double>(found.gap);
+  const double size = size_of(of);
   Answers<OrderedBall> answers = {answer("gap", found.gap, scale_of(size))};
-  if (has_contact(of, gap)) {
+  if (has_contact(of, static_cast<double>(found.gap))) {
     const EnclosedGap::Contact& contact = found.contact.value();
-    add_contact(answers, size, gap + bevels_of(of), of.against == Against::plane, contact.n_W, contact.p_stone,
-                contact.p_other);
+    add_contact(answers, size, lever_of(of, separation_of(of), 0.0), contact.n_W, contact.p_stone);
+    answers.push_back(answer("other_point", contact.p_other, answers.back().scale));
   }
   return answers;
 }
@@ -77,8 +90,7 @@ Answers<double> computed_touch(const Encounter& of) {
   Answers<double> answers = {word<double>("status", to_string(hit.status))};
   if (hit.status == ImpactStatus::hit) {
     answers.push_back(answer("time", hit.time));
-    answers.push_back(answer("normal", hit.contact.n_W, 1.0));
-    answers.push_back(answer("point", hit.contact.p_stone, 1.0));
+    add_contact(answers, 1.0, 1.0, hit.contact.n_W, hit.contact.p_stone);
   }
   return answers;
 }
@@ -102,10 +114,9 @@ Answers<OrderedBall> enclosed_touch_answers(const Encounter& of) {
   const EnclosedGap::Contact contact = enclosed_gap(of, *time).contact.value();
   const double fastest =
       length_of(of.first.velocity) + length_of(of.gravity) * t + length_of(of.first.spin) * of.first.shape.width;
-  const double late = 1.0 + fastest / speed;
-  const double turn = of.against == Against::plane ? 1.0 : 1.0 + late * size / bevels_of(of);
-  answers.push_back(answer("normal", contact.n_W, scale_of(turn)));
-  answers.push_back(answer("point", contact.p_stone, scale_of(size * late * turn)));
+  // The time's own round-off moves what flies.
+  add_contact(answers, size * (1.0 + fastest / speed), lever_of(of, hit.contact, hit.time), contact.n_W,
+              contact.p_stone);
   return answers;
 }
 

@@ -96,41 +96,38 @@ FirstLinks<OrderedBall> enclosed_links(const Dropped& of) {
 
 /// Lengths, times and speeds in which a drop's numbers are added and taken off.
 struct Scales {
-  double mass, size, time, turned, speed, spin, impulse;
+  double time, size, turned, impulse, speed, spin;
 };
 
 Scales scales_of(const Dropped& of) {
   const FirstLinks<double> links = computed_links(of);
-  const Stone<double> stone = stone_of<double>(of.stone.shape);
-  const RigidBody<double> body = body_of(weighed(of, stone));
+  const RigidBody<double> body = body_of(weighed(of, stone_of<double>(of.stone.shape)));
   const double t = links.time, w = of.stone.shape.width, spin = length_of(of.stone.spin);
   const double fastest = length_of(of.stone.velocity) + length_of(of.gravity) * t;
-  const Encounter encounter = of.encounter();
-  const double closing = std::fabs(World<double>(encounter).gap_along({0.0, 0.0, 1.0})(t).rate);
-  Scales scales{};
-  scales.mass = body.mass;
-  scales.turned = 1.0 + 2.0 * spin * t;
-  scales.size = w + length_of(of.stone.position) + fastest * t + w * scales.turned;
-  scales.time = std::fmax(t, scales.size / closing);
-  // The time's own round-off moves and turns what flies.
-  scales.size = scales.size * (1.0 + fastest / closing);
-  scales.turned = scales.turned + 2.0 * spin * scales.time;
-  scales.speed = (fastest + spin * w) * scales.turned;
-  scales.impulse = 2.0 * body.mass * scales.speed;
-  scales.spin = (spin + scales.impulse * w / body.moments.minCoeff()) * scales.turned;
-  return scales;
+  const double closing = std::fabs(World<double>(of.encounter()).gap_along({0.0, 0.0, 1.0})(t).rate);
+  const double way = w + length_of(of.stone.position) + fastest * t;
+  const double time = std::fmax(t, way / closing);
+  // The time's own round-off moves and turns what flies; what is turned meets the plane elsewhere.
+  const double turned = 1.0 + spin * time, speed = (fastest + spin * w) * turned;
+  const double after = formula::angular_velocity_B(links.leaving, body).norm();
+  return {.time = time,
+          .size = way + fastest * time,
+          .turned = turned,
+          .impulse = body.mass * speed,
+          .speed = speed,
+          .spin = (spin + after) * turned + speed / w};
 }
 
 template <class T>
 Answers<T> drop_answers(const Dropped& of, const FirstLinks<T>& links, const Scales& scales) {
   const RigidBody<T> body = body_of(weighed(of, stone_of<T>(of.stone.shape)));
   return {answer("time", links.time, scale_of(scales.time)),
-          answer("point", links.contact_W, scale_of(scales.size * scales.turned)),
+          answer("point", links.contact_W, scale_of(scales.size + of.stone.shape.width * scales.turned)),
           answer("position", links.touching.p_WB, scale_of(scales.size)),
           answer("attitude", links.touching.q_WB, scale_of(scales.turned)),
           word<T>("outcome", links.outcome),
           answer("impulse", links.impulse_W, scale_of(scales.impulse)),
-          answer("velocity", links.leaving.v_WB, scale_of(scales.speed + scales.impulse / scales.mass)),
+          answer("velocity", links.leaving.v_WB, scale_of(scales.speed)),
           answer("spin", formula::angular_velocity_B(links.leaving, body), scale_of(scales.spin))};
 }
 

@@ -105,6 +105,18 @@ Enclosure printed(const Answer<OrderedBall>& answer) {
   return result;
 }
 
+void require_met(const OrderedBall& one, const OrderedBall& other, const std::string& what) {
+  // Lengths that cancel on a thin stone are of its spheres.
+  const auto narrow = [](const Ball& x) {
+    Ball radius;
+    arb_get_rad_arb(radius.get(), x.get());
+    return x.is_finite() && static_cast<double>(radius) <= 1e-50 * (1.0 + std::fabs(static_cast<double>(x)));
+  };
+  if (!narrow(one.ball()) || !narrow(other.ball()) || !one.ball().overlaps(other.ball())) {
+    throw std::runtime_error(fmt::format("two ways to {} do not meet", what));
+  }
+}
+
 double scale_of(double size) {
   if (!(0.0 < size)) {
     return 1.0;

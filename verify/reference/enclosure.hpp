@@ -26,6 +26,9 @@ struct Enclosure {
 /// the last digit, or where the value may be 0 and there is no scale.
 [[nodiscard]] Enclosure printed(const Answer<OrderedBall>& answer);
 
+/// Two ways to one number: throws std::runtime_error unless their balls meet and are narrow.
+void require_met(const OrderedBall& one, const OrderedBall& other, const std::string& what);
+
 /// The power of two that is not below `size`; 1 for 0. A scale so coarse does not depend on the mathematics library.
 [[nodiscard]] double scale_of(double size);
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <goishi/motion/elliptic_flight.hpp>
 #include <goishi/motion/free_flight.hpp>
 
@@ -28,10 +29,9 @@ struct Flying {
   [[nodiscard]] bool symmetric() const { return !(moments[0] < moments[1]) && !(moments[1] < moments[0]); }
 };
 
-/// What an error of the start grows to: 1 and the angles that are turned, times what the way of the momentum magnifies
-/// (`elliptic_flight` says by how much).
+/// What an error of ε of the start grows to: 1 and the angles that are turned, and by what the way of the momentum near the
+/// middle axis magnifies (`elliptic_flight` says how).
 double turned(const Flying& body) {
-  const double least = std::min({body.moments[0], body.moments[1], body.moments[2]});
   std::array<double, 3> L{}, I = body.moments;
   double energy2 = 0.0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -39,14 +39,17 @@ double turned(const Flying& body) {
     energy2 += L[i] * body.spin[i];
   }
   const double size = length_of(L), time = std::fabs(body.time);
-  const double angle = 1.0 + size * time / least;
-  if (body.symmetric() || !(0.0 < size)) {
-    return angle;
+  if (body.symmetric()) {
+    return 1.0 + size * time / I[0] + std::fabs(body.spin[2] * time * (1.0 - I[2] / I[0]));
   }
   std::ranges::sort(I);
+  const double angle = 1.0 + size * time / I[0];
+  if (!(0.0 < size)) {
+    return angle;
+  }
   const double s = std::fabs(1.0 - energy2 * I[1] / (size * size));
   const double lambda = size * std::sqrt((I[1] - I[0]) * (I[2] - I[1]) / (I[0] * I[2])) / I[1];
-  return angle * (1.0 + std::min(1.0 / s, std::exp(lambda * time)));
+  return angle + std::min(1.0 / s, std::exp(lambda * time));
 }
 
 template <class T>
@@ -61,14 +64,17 @@ Answers<T> flight_answers(const Flying& of) {
   const Moments<T> moments{.axial = T(of.moments[2]), .transverse = T(of.moments[0])};
   const State<T> end = of.symmetric() ? free_flight(start, moments, gravity, T(of.time))
                                       : elliptic_flight(start, body, gravity, T(of.time));
+  if constexpr (std::same_as<T, OrderedBall>) {
+    require_met(formula::rotational_energy(start, body), formula::rotational_energy(end, body), "the energy");
+    require_met(end.q_WB.squaredNorm(), T(1), "the length of the attitude");
+  }
   const double t = std::fabs(of.time), turns = turned(of);
   const double most = std::max({of.moments[0], of.moments[1], of.moments[2]});
-  const double least = std::min({of.moments[0], of.moments[1], of.moments[2]});
   return {answer("position", end.p_WB,
                  scale_of(length_of(of.position) + length_of(of.velocity) * t + length_of(of.gravity) * t * t / 2.0)),
           answer("velocity", end.v_WB, scale_of(length_of(of.velocity) + length_of(of.gravity) * t)),
           answer("attitude", end.q_WB, scale_of(turns)),
-          answer("spin", formula::angular_velocity_B(end, body), scale_of(length_of(of.spin) * turns * most / least)),
+          answer("spin", formula::angular_velocity_B(end, body), scale_of(length_of(of.spin) * turns)),
           answer("angular_momentum", end.L_W, scale_of(length_of(of.spin) * most))};
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <concepts>
 #include <goishi/impact/laws.hpp>
 #include <goishi/motion/state.hpp>
 #include <optional>
@@ -51,18 +52,42 @@ struct Struck {
   }
 };
 
+/// Of the contact point, by the spin in the body's axes.
+template <class T>
+Vec3<T> contact_velocity(const Striking& of, const Struck<T>& struck, const BodyVelocity<T>& moves) {
+  const Vec3<T> turning = struck.q * struck.spin(moves);
+  return formula::plus(moves.v_WB, formula::cross(turning, vector_of<T>(of.arm)));
+}
+
+/// What the law promises: it leaves e times as fast as it came, and one that slid has friction's greatest impulse.
+template <class T>
+void require_law(const Meeting& of, const Vec3<T>& n, const Impulse<T>& impulse, const Vec3<T>& before,
+                 const Vec3<T>& after) {
+  if constexpr (std::same_as<T, OrderedBall>) {
+    if (impulse.outcome == ImpactOutcome::separating) {
+      return;
+    }
+    require_met(formula::dot(n, after), -(T(of.restitution) * formula::dot(n, before)), "the restitution");
+    if (impulse.outcome == ImpactOutcome::slid) {
+      const T along = formula::dot(n, impulse.impulse_W);
+      const T across = formula::dot(impulse.impulse_W, impulse.impulse_W) - along * along;
+      require_met(across, scalar::sq(T(T(of.friction) * along)), "the friction");
+    }
+  }
+}
+
 /// How fast the contact point of a body may be.
 double speed_of(const Striking& of) {
   return length_of(of.velocity) + length_of(of.spin) * length_of(of.arm);
 }
 
+/// An impulse changes the velocity where it acts by no more than twice the speeds that meet: so does its part that turns.
 template <class T>
 void add_body(Answers<T>& answers, const std::string& prefix, const Striking& of, const Struck<T>& struck,
-              const BodyVelocity<T>& after, double impulse) {
-  const double least = std::fmin(of.axial, of.transverse);
-  answers.push_back(answer(prefix + "velocity", after.v_WB, scale_of(length_of(of.velocity) + impulse / of.mass)));
-  answers.push_back(
-      answer(prefix + "spin", struck.spin(after), scale_of(length_of(of.spin) + impulse * length_of(of.arm) / least)));
+              const BodyVelocity<T>& after, double speed) {
+  const double gyration = std::sqrt(std::fmin(of.axial, of.transverse) / of.mass);
+  answers.push_back(answer(prefix + "velocity", after.v_WB, scale_of(speed)));
+  answers.push_back(answer(prefix + "spin", struck.spin(after), scale_of(length_of(of.spin) + speed / gyration)));
 }
 
 template <class T>
@@ -73,20 +98,26 @@ Answers<T> impact_answers(const Meeting& of) {
   const auto of_impulse = [](const Impulse<T>& impulse, double scale) {
     return Answers<T>{word<T>("outcome", to_string(impulse.outcome)), answer("impulse", impulse.impulse_W, scale)};
   };
-  // The contact answers to an impulse with no less than 1/m.
   if (!of.second) {
     const Impact<T> impact = resolve(ImpactLaw::chatterjee_ruina, material, contact, n, first.body);
-    const double impulse = 2.0 * of.first.mass * speed_of(of.first);
-    Answers<T> answers = of_impulse(impact.impulse, scale_of(impulse));
-    add_body(answers, "", of.first, first, impact.body, impulse);
+    require_law(of, n, impact.impulse, contact_velocity<T>(of.first, first, {first.body.v_WB, first.body.L_W}),
+                contact_velocity(of.first, first, impact.body));
+    const double speed = 2.0 * speed_of(of.first);
+    Answers<T> answers = of_impulse(impact.impulse, scale_of(of.first.mass * speed));
+    add_body(answers, "", of.first, first, impact.body, speed);
     return answers;
   }
   const Struck<T> second(*of.second);
   const TwoBodyImpact<T> impact = resolve(ImpactLaw::chatterjee_ruina, material, contact, n, first.body, second.body);
-  const double impulse = 2.0 * std::fmin(of.first.mass, of.second->mass) * (speed_of(of.first) + speed_of(*of.second));
-  Answers<T> answers = of_impulse(impact.impulse, scale_of(impulse));
-  add_body(answers, "", of.first, first, impact.first, impulse);
-  add_body(answers, "other_", *of.second, second, impact.second, impulse);
+  require_law<T>(of, n, impact.impulse,
+                 formula::minus(contact_velocity<T>(of.first, first, {first.body.v_WB, first.body.L_W}),
+                                contact_velocity<T>(*of.second, second, {second.body.v_WB, second.body.L_W})),
+                 formula::minus(contact_velocity(of.first, first, impact.first),
+                                contact_velocity(*of.second, second, impact.second)));
+  const double speed = 2.0 * (speed_of(of.first) + speed_of(*of.second));
+  Answers<T> answers = of_impulse(impact.impulse, scale_of(std::fmin(of.first.mass, of.second->mass) * speed));
+  add_body(answers, "", of.first, first, impact.first, speed);
+  add_body(answers, "other_", *of.second, second, impact.second, speed);
   return answers;
 }
 

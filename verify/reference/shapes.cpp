@@ -2,6 +2,7 @@
 
 #include <goishi/shape/stone.hpp>
 
+#include "verify/oracles/stone/rigorous_integral.hpp"
 #include "verify/reference/sections.hpp"
 #include "verify/reference/stones.hpp"
 
@@ -29,6 +30,23 @@ Answers<T> shape_answers(const Shape& shape) {
           {.quantity = "joint_sine", .values = {stone.joint_sine}, .scale = ball && sharp ? 1.0 : 0.0}};
 }
 
+/// The formulas, which meet what a draughtsman constructs: an arc through pole and rim, a circle that touches it.
+Answers<OrderedBall> constructed_answers(const Shape& shape) {
+  const Stone<OrderedBall> stone = stone_of<OrderedBall>(shape);
+  const Ball w = stone.width.ball(), h(shape.height), b(shape.bevel);
+  const Meridian drawn = 0.0 < shape.bevel ? bevelled_meridian(w, h, b) : lens_meridian(w, h);
+  const auto meet = [](const OrderedBall& x, const Ball& y, const char* what) { require_met(x, OrderedBall(y), what); };
+  meet(shape.measured ? OrderedBall(shape.width) : outer_width(stone), greatest_width(drawn), "the outer width");
+  meet(stone.sphere_radius, drawn.sphere_radius, "r");
+  meet(stone.sphere_offset, drawn.sphere_offset, "d");
+  meet(stone.bevel_major_radius, drawn.tube_distance, "r1");
+  meet(stone.bevel_minor_radius, drawn.tube_radius, "r2");
+  meet(stone.joint_radius, drawn.sphere_radius * sin(drawn.joint_angle), "the joint's radius");
+  meet(stone.joint_cosine, sin(drawn.joint_angle), "the joint's cosine");
+  meet(stone.joint_sine, cos(drawn.joint_angle), "the joint's sine");
+  return shape_answers<OrderedBall>(shape);
+}
+
 }  // namespace
 
 Section shapes_section() {
@@ -48,9 +66,11 @@ Section shapes_section() {
                      {.name = "joint_sine", .unit = "", .about = "axial part of the normal there"}},
       .problems = {}};
   for (const Shape& shape : all_shapes()) {
-    section.problems.push_back(
-        make_problem(numbered("shape", section.problems.size() + 1), shape.about, inputs_of(shape),
-                     [shape]<class T>(std::type_identity<T>) { return shape_answers<T>(shape); }));
+    section.problems.push_back({.id = numbered("shape", section.problems.size() + 1),
+                                .about = shape.about,
+                                .inputs = inputs_of(shape),
+                                .enclose = [shape] { return constructed_answers(shape); },
+                                .compute = [shape] { return shape_answers<double>(shape); }});
   }
   return section;
 }

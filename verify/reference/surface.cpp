@@ -1,6 +1,8 @@
 /// surface.json: support, signed distance, closest point.
 
+#include <concepts>
 #include <goishi/shape/surface.hpp>
+#include <goishi/vector.hpp>
 
 #include "verify/reference/draw.hpp"
 #include "verify/reference/sections.hpp"
@@ -15,7 +17,14 @@ using Place = std::array<double, 3>;
 template <class T>
 Answers<T> support_answers(const Shape& shape, const Place& direction) {
   const double width = scale_of(shape.width);
-  const Support<T> farthest = support(stone_of<T>(shape), direction_of<T>(direction));
+  const Stone<T> stone = stone_of<T>(shape);
+  const Vec3<T> n = direction_of<T>(direction);
+  const Support<T> farthest = support(stone, n);
+  if constexpr (std::same_as<T, OrderedBall>) {  // from outside the point is the closest one
+    const Vec3<T> away = formula::plus(farthest.p_B, T(shape.width), n);
+    require_met(farthest.value, formula::dot(n, farthest.p_B), "the support");
+    require_met(T(shape.width), signed_distance(stone, away), "a distance from a support point");
+  }
   return {answer("support", farthest.value, width), answer("support_point", farthest.p_B, width)};
 }
 
@@ -28,10 +37,15 @@ Answers<T> distance_answers(const Shape& shape, const Place& point) {
   const double reach = scale_of(shape.width + length_of(point));
   Answers<T> answers = {answer("distance", nearest.distance, reach)};
   if (nearest.unique) {
+    if constexpr (std::same_as<T, OrderedBall>) {  // no point is beyond the plane that touches there
+      require_met(detail::support_of_unit(stone, nearest.normal_B).value, formula::dot(nearest.normal_B, nearest.p_B),
+                  "the support where a point is closest");
+    }
     const double from_core = static_cast<double>(T(nearest.distance + stone.bevel_minor_radius));
     const double lever =
         nearest.feature == Feature::rim ? from_core : static_cast<double>(stone.core_sphere_radius) + from_core;
-    answers.push_back(answer("closest_point", nearest.p_B, scale_of(reach * (1.0 + reach / lever))));
+    const double away = std::fabs(static_cast<double>(nearest.distance));
+    answers.push_back(answer("closest_point", nearest.p_B, scale_of(reach + away * reach / lever)));
     answers.push_back(answer("normal", nearest.normal_B, scale_of(1.0 + reach / lever)));
   }
   return answers;
