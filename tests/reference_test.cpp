@@ -4,6 +4,8 @@
 #include <rapidjson/document.h>
 #include <rapidjson/schema.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -14,6 +16,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "verify/oracles/motion/free_body.hpp"
 #include "verify/reference/answers.hpp"
 #include "verify/reference/bracket.hpp"
 #include "verify/reference/elliptic.hpp"
@@ -297,6 +300,57 @@ TEST(ReferenceElliptic, WhereTheyAreKnown) {
       EXPECT_TRUE(meet(back, K * Number(part) / Number(10))) << m1;
     }
   }
+}
+
+// --- flights, by another way than their energy
+
+template <std::size_t count>
+std::array<Quad, count> quads_of(const Problem& problem, const std::string& name) {
+  std::array<Quad, count> result;
+  const auto given = std::ranges::find(problem.inputs, name, &Input::name);
+  EXPECT_EQ(given->numbers.size(), count) << name;
+  std::ranges::transform(given->numbers, result.begin(), [](double x) { return Quad(x); });
+  return result;
+}
+
+/// The length of the difference, in units of the scale.
+template <std::size_t count>
+double off(const std::array<Quad, count>& integrated, const Enclosure& enclosed, int sign) {
+  Quad square = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Quad difference = integrated[i] - sign * Quad(enclosed.mid.at(i));
+    square += difference * difference;
+  }
+  return static_cast<double>(Quad(sqrt(square))) / enclosed.scale;
+}
+
+TEST(ReferenceFlight, MeetsTheIntegratedEquations) {
+  constexpr double least_angle = 0.5, most_angle = 20.0;  // 10 ms a radian
+  const Section section = flight_section();
+  const ReadFile file = read_file(reference_text("flight.json"));
+  int symmetric = 0, asymmetric = 0;
+  for (std::size_t i = 0; i < section.problems.size(); ++i) {
+    const Problem& problem = section.problems[i];
+    const auto spin = quads_of<3>(problem, "spin"), moments = quads_of<3>(problem, "moments");
+    const Quad time = quads_of<1>(problem, "time").front();
+    const Quad rate = sqrt(spin[0] * spin[0] + spin[1] * spin[1] + spin[2] * spin[2]);
+    const double angle = std::fabs(static_cast<double>(Quad(rate * time)));
+    if (!(least_angle < angle && angle < most_angle)) {
+      continue;
+    }
+    const FreeBodyReference integrated =
+        integrate_free_body({.moments = moments, .attitude = quads_of<4>(problem, "attitude"), .spin = spin}, time);
+    const auto answer = [&](const std::string& quantity) {
+      return *std::ranges::find(file.cases[i].answers, quantity, &Enclosure::quantity);
+    };
+    const Enclosure attitude = answer("attitude");
+    EXPECT_LT(std::fmin(off(integrated.attitude, attitude, 1), off(integrated.attitude, attitude, -1)), 1e-21)
+        << problem.id << ", " << problem.about;
+    EXPECT_LT(off(integrated.spin, answer("spin"), 1), 1e-21) << problem.id << ", " << problem.about;
+    ++(moments[0] == moments[1] ? symmetric : asymmetric);
+  }
+  EXPECT_GE(symmetric, 3);
+  EXPECT_GE(asymmetric, 3);
 }
 
 // --- what proves gaps and times, where they are known
