@@ -17,6 +17,7 @@
 #include "verify/certify/command.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/oracles/stone/quadrature.hpp"
+#include "verify/reference/command.hpp"
 #include "verify/report/markdown.hpp"
 #include "verify/report/report.hpp"
 #include "verify/stress/command.hpp"
@@ -285,6 +286,8 @@ int main(int argc, char** argv) {
   certify::Options certify_options;
   const CLI::App* const stress_command = stress::define_stress(app, stress_options);
   const CLI::App* const certify_command = certify::define_certify(app, certify_options);
+  reference::Options reference_options;
+  const CLI::App* const reference_command = reference::define_reference(app, reference_options);
   try {
     app.parse(argc, argv);
     if (bench_command->parsed()) {
@@ -295,6 +298,9 @@ int main(int argc, char** argv) {
     }
     if (certify_command->parsed()) {
       return certify::run_certify_command(certify_options) ? all_hold : claim_failed;
+    }
+    if (reference_command->parsed()) {
+      return reference::run_reference_command(reference_options) ? all_hold : claim_failed;
     }
     return verify(options);
   } catch (const CLI::ParseError& error) {

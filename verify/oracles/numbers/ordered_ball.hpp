@@ -51,10 +51,25 @@ class OrderedBall {
   Self& operator-=(const Self& y) { return *this = *this - y; }
   Self& operator*=(const Self& y) { return *this = *this * y; }
   Self& operator/=(const Self& y) { return *this = *this / y; }
-  friend Self sqrt(const Self& x) { return Self(sqrt(x.ball_)); }
+  /// What of the ball is negative is no number that a root is taken of: a sum of squares next to 0. NaN if all of it is.
+  friend Self sqrt(const Self& x) {
+    Ball result;
+    arb_sqrtpos(result.get(), x.ball_.get(), Ball::precision);
+    return Self(result);
+  }
   friend Self sin(const Self& x) { return Self(sin(x.ball_)); }
   friend Self cos(const Self& x) { return Self(cos(x.ball_)); }
   friend Self atan2(const Self& y, const Self& x) { return Self(atan2(y.ball_, x.ball_)); }
+  friend Self abs(const Self& x) {
+    Ball result;
+    arb_abs(result.get(), x.ball_.get());
+    return Self(result);
+  }
+  friend Self floor(const Self& x) {
+    Ball result;
+    arb_floor(result.get(), x.ball_.get(), Ball::precision);
+    return Self(result);
+  }
 
   friend bool operator<(const Self& x, const Self& y) {
     return decided(arb_lt(x.ball_.get(), y.ball_.get()), arb_ge(x.ball_.get(), y.ball_.get()));
@@ -67,6 +82,8 @@ class OrderedBall {
   friend std::ostream& operator<<(std::ostream& out, const Self& x) { return out << static_cast<double>(x.ball_); }
 
   [[nodiscard]] const Ball& ball() const { return ball_; }
+  /// The midpoint, rounded to nearest.
+  explicit operator double() const { return static_cast<double>(ball_); }
 
  private:
   static bool decided(int yes, int no) { return yes != 0 || (no == 0 && Undecided::now().answer()); }
