@@ -113,6 +113,49 @@ TEST_F(CliMesh, Statistics) {
   EXPECT_TRUE(std::regex_search(sharp, std::regex("\nvertices +32 .*\npoints +22\n"))) << sharp;
 }
 
+/// The triangles of an OBJ file by their points, each from its least one on.
+std::multiset<std::vector<double>> triangles_of(const std::string& obj) {
+  const std::vector<double> all = coordinates(obj);
+  std::multiset<std::vector<double>> triangles;
+  std::istringstream lines(obj);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("f ")) {
+      std::vector<std::vector<double>> corners;
+      std::istringstream rest(line.substr(2));
+      for (std::string corner; rest >> corner;) {
+        const auto at = all.begin() + 3 * (std::stol(corner) - 1);
+        corners.emplace_back(at, at + 3);
+      }
+      std::ranges::rotate(corners, std::ranges::min_element(corners));
+      std::vector<double> triangle;
+      for (const std::vector<double>& corner : corners) {
+        triangle.insert(triangle.end(), corner.begin(), corner.end());
+      }
+      triangles.insert(triangle);
+    }
+  }
+  return triangles;
+}
+
+TEST_F(CliMesh, TheCachesOrderIsOfTheSameTriangles) {
+  for (const std::string& options : {std::string("--bevel 1mm "), std::string("--method rings ")}) {
+    const std::string command = "mesh --size 33 --level 4 " + options;
+    make(command, "plain.obj");
+    make(command + "--cache-order", "ordered.obj");
+    const std::string plain = contents(path("plain.obj")), ordered = contents(path("ordered.obj"));
+    EXPECT_NE(plain, ordered);
+    EXPECT_EQ(triangles_of(plain), triangles_of(ordered));
+    const auto misses = [&](const std::string& more) {
+      std::smatch found;
+      const std::string text = printed(words_of(command + "--stats" + more));
+      EXPECT_TRUE(std::regex_search(text, found, std::regex("\ncache misses +([0-9.]+) ")));
+      return std::stod(found[1]);
+    };
+    EXPECT_LT(misses(" --cache-order"), 0.8);
+    EXPECT_LT(misses(" --cache-order"), 0.8 * misses(""));
+  }
+}
+
 TEST_F(CliMesh, TheToleranceIsKept) {
   for (const std::string& method : {std::string("subdivision"), std::string("rings")}) {
     for (const double micrometres : {100.0, 10.0, 1.0}) {

@@ -454,11 +454,13 @@ TEST_F(Cli, HelpNamesEveryOptionAndItsExamplesRun) {
        "--on --restitution --friction --friction-model --slip-coefficient --patch-radius --rolling-resistance "
        "--pivot-radius --gravity --law --until --tolerance --format --series --csv"},
       {"mesh",
-       "--size --color --standard --width --height --bevel --measured --method --level --tolerance --units --format "
+       "--size --color --standard --width --height --bevel --measured --method --level --tolerance --cache-order "
+       "--units --format "
        "--output "
        "--stats"},
       {"body",
        "--size --color --standard --width --height --bevel --measured --mass --density --method --level --tolerance "
+       "--cache-order "
        "--format "
        "--output"}};
   const std::string all = printed({"--help"});

@@ -12,6 +12,7 @@
 
 #include "alignment.hpp"
 #include "file.hpp"
+#include "formats/cache_order.hpp"
 #include "version.hpp"
 
 namespace goishi::cli {
@@ -106,6 +107,8 @@ std::string statistics(const Subject& subject, const StoneMesh& mesh) {
   count("triangles", mesh.mesh.triangles.size());
   count("vertices", mesh.mesh.points.size(), "points with a normal");
   count("points", topology(mesh.mesh).points);
+  add("cache misses", six_digits(Number(vertices_per_triangle(mesh.mesh))), "",
+      "vertices a triangle, of a graphics card that remembers 16");
   add("deviation", six_digits(Number(deviation(mesh.mesh, mesh.stone))), "m", "the largest distance from the stone");
   const auto compare = [&](std::string_view name, double value, const Number& of_stone, std::string_view unit) {
     add(name, six_digits(Number(value)), unit, fmt::format("the stone's: {}", six_digits(of_stone)));

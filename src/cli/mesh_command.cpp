@@ -45,6 +45,11 @@ void add_choice(CLI::App& command, MeshChoice& choice, int default_level) {
                         default_level));
   add_value(command, choice.tolerance, "--tolerance", "LENGTH",
             "Instead: as few triangles as are nowhere farther from the stone");
+  command
+      .add_flag("--cache-order", choice.cache_order,
+                "Triangles and vertices in the order in which a graphics card\n"
+                "reads them with the fewest repetitions (meshoptimizer)")
+      ->disable_flag_override();
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "catalogue.hpp"
+#include "formats/cache_order.hpp"
 #include "quantity.hpp"
 
 namespace goishi::cli {
@@ -54,6 +55,9 @@ StoneMesh mesh_of(const Subject& subject, const MeshChoice& choice, int default_
     result.fineness = fineness_of_level(result.stone, level);
   }
   result.mesh = tessellate(result.stone, result.method, result.fineness);
+  if (choice.cache_order) {
+    result.mesh = in_cache_order(result.mesh);
+  }
   return result;
 }
 

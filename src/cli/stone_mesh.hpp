@@ -19,6 +19,7 @@ struct MeshChoice {
   std::optional<std::string> method;
   std::optional<std::string> level;
   std::optional<std::string> tolerance;
+  bool cache_order = false;
 };
 
 /// A mesh, in B and in metres, and what it is a mesh of.
