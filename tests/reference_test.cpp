@@ -100,6 +100,7 @@ TEST(ReferenceFiles, SayWhatTheyHold) {
       for (const Enclosure& answer : file.cases[i].answers) {
         ASSERT_TRUE(components.contains(answer.quantity)) << answer.quantity;
         EXPECT_EQ(static_cast<int>(answer.mid.size()), components[answer.quantity]) << answer.quantity;
+        EXPECT_TRUE(!(0.0 < answer.scale) || scale_of(answer.scale) == answer.scale) << answer.scale;
         ++seen[answer.quantity];
       }
     }

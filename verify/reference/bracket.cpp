@@ -61,7 +61,7 @@ bool is_zero(const Number& x) {
   return arb_is_zero(x.ball().get()) != 0;
 }
 
-Number length_of(const Vector& v) {
+Number norm_of(const Vector& v) {
   return scalar::sqrt(Number(formula::dot(v, v)));
 }
 
@@ -186,7 +186,7 @@ EnclosedGap enclosed_gap(const Encounter& encounter, const Number& time) {
   const World<Digits100> searched(encounter);
   const Vector n = unit_along(searched.separation_at(near(time)).n_W);
   const Meeting met = met_along(world, time, n);
-  const Number low = formula::dot(met.w, n), high = length_of(met.w);
+  const Number low = formula::dot(met.w, n), high = norm_of(met.w);
   const Number core = hull(low, high);
   EnclosedGap result{.gap = core - met.beyond, .contact = {}};
   // The cosine of the angle to the right normal is at least low/high.
@@ -239,7 +239,7 @@ std::optional<Number> enclosed_touch(const Encounter& encounter) {
     }
   } else {
     const Meeting met = met_along(world, after, n);
-    require_proof(length_of(met.w) < met.beyond, "they touch just after");
+    require_proof(norm_of(met.w) < met.beyond, "they touch just after");
   }
   return widened(time, time_radius());
 }

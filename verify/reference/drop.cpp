@@ -62,33 +62,33 @@ FirstLinks<double> computed_links(const Dropped& of) {
 
 /// The same by the same formulas, link by link, from the enclosed time of the touch on.
 FirstLinks<OrderedBall> enclosed_links(const Dropped& of) {
-  using Number = OrderedBall;
-  const std::optional<Number> time = enclosed_touch(of.encounter());
+  using Enclosed = OrderedBall;
+  const std::optional<Enclosed> time = enclosed_touch(of.encounter());
   if (!time) {
     throw std::runtime_error("the stone touches nothing");
   }
-  const Stone<Number> stone = stone_of<Number>(of.stone.shape);
-  const MassProperties<Number> properties = weighed(of, stone);
-  const RigidBody<Number> body = body_of(properties);
-  const State<Number> touching = formula::free_flight(state_of(of.stone, body), formula::top_rates(properties.moments),
-                                                      vector_of<Number>(of.gravity), *time);
-  const Vec3<Number> axis = formula::symmetry_axis(touching.q_WB), up(Number(0), Number(0), Number(1));
-  const Separation<Number> contact =
-      detail::separation_along(detail::Placed<Number>{stone, touching.p_WB, axis}, up, Number(0));
-  const ImpactBody<Number> striking{.mobility = formula::mobility(body.mass, properties.moments),
-                                    .p_WB = touching.p_WB,
-                                    .u_W = axis,
-                                    .v_WB = touching.v_WB,
-                                    .L_W = touching.L_W};
+  const Stone<Enclosed> stone = stone_of<Enclosed>(of.stone.shape);
+  const MassProperties<Enclosed> properties = weighed(of, stone);
+  const RigidBody<Enclosed> body = body_of(properties);
+  const State<Enclosed> touching = formula::free_flight(
+      state_of(of.stone, body), formula::top_rates(properties.moments), vector_of<Enclosed>(of.gravity), *time);
+  const Vec3<Enclosed> axis = formula::symmetry_axis(touching.q_WB), up(Enclosed(0), Enclosed(0), Enclosed(1));
+  const Separation<Enclosed> contact =
+      detail::separation_along(detail::Placed<Enclosed>{stone, touching.p_WB, axis}, up, Enclosed(0));
+  const ImpactBody<Enclosed> striking{.mobility = formula::mobility(body.mass, properties.moments),
+                                      .p_WB = touching.p_WB,
+                                      .u_W = axis,
+                                      .v_WB = touching.v_WB,
+                                      .L_W = touching.L_W};
   // As `resolve`, but that the axis's length is known to fewer digits than it asks for: to those of the time.
-  const Vec3<Number> r = formula::minus(contact.p_stone, striking.p_WB);
-  const Impulse<Number> impulse = detail::impulse_of(
-      ImpactLaw::chatterjee_ruina, Material<Number>{Number(of.restitution), Number(of.friction)}, up,
+  const Vec3<Enclosed> r = formula::minus(contact.p_stone, striking.p_WB);
+  const Impulse<Enclosed> impulse = detail::impulse_of(
+      ImpactLaw::chatterjee_ruina, Material<Enclosed>{Enclosed(of.restitution), Enclosed(of.friction)}, up,
       formula::point_velocity(striking, r),
-      [&](const Vec3<Number>& p) { return formula::response(striking.mobility, axis, r, p); },
+      [&](const Vec3<Enclosed>& p) { return formula::response(striking.mobility, axis, r, p); },
       [&] { return formula::contact_matrix(striking.mobility, axis, r); });
-  const BodyVelocity<Number> after = formula::pushed(striking, r, impulse.impulse_W);
-  State<Number> leaving = touching;
+  const BodyVelocity<Enclosed> after = formula::pushed(striking, r, impulse.impulse_W);
+  State<Enclosed> leaving = touching;
   leaving.v_WB = after.v_WB;
   leaving.L_W = after.L_W;
   return {*time, touching, leaving, contact.p_stone, impulse.impulse_W, to_string(impulse.outcome)};

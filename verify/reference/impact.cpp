@@ -134,9 +134,9 @@ Striking draw_striking(Draw& draw, bool needle) {
 }
 
 std::vector<Meeting> meetings() {
-  constexpr std::array<double, 3> up = {0.0, 0.0, 1.0}, still = {0.0, 0.0, 0.0};
-  constexpr std::array<double, 4> upright = {1.0, 0.0, 0.0, 0.0};
-  const Striking flat{1.0, 0.125, 0.0625, upright, {0.0, 0.0, -1.0}, still, {0.0, 0.0, -0.25}};
+  constexpr std::array<double, 3> up = {0.0, 0.0, 1.0}, at_rest = {0.0, 0.0, 0.0};
+  constexpr std::array<double, 4> level = {1.0, 0.0, 0.0, 0.0};
+  const Striking flat{1.0, 0.125, 0.0625, level, {0.0, 0.0, -1.0}, at_rest, {0.0, 0.0, -0.25}};
   const auto changed = [](Striking one, auto&& change) {
     change(one);
     return one;
@@ -157,7 +157,7 @@ std::vector<Meeting> meetings() {
                  0.5,
                  0.25,
                  "a spin about the normal"});
-  const Striking edge{1.0, 0.125, 0.0625, {1.0, 1.0, 1.0, 1.0}, {0.0, 0.0, -1.0}, still, {0.0, 0.0, -0.5}};
+  const Striking edge{1.0, 0.125, 0.0625, {1.0, 1.0, 1.0, 1.0}, {0.0, 0.0, -1.0}, at_rest, {0.0, 0.0, -0.5}};
   all.push_back({edge, {}, up, 0.5, 0.25, "on edge"});
   all.push_back({changed(edge,
                          [](Striking& s) {
@@ -215,7 +215,7 @@ std::vector<Meeting> meetings() {
                  0.5,
                  0.125,
                  "a ball, which slides"});
-  const Striking below{2.0, 0.125, 0.0625, upright, {0.0, 0.0, 1.0}, still, {0.0, 0.0, 0.25}};
+  const Striking below{2.0, 0.125, 0.0625, level, {0.0, 0.0, 1.0}, at_rest, {0.0, 0.0, 0.25}};
   all.push_back({flat, below, up, 0.5, 0.25, "two, face to face"});
   all.push_back(
       {flat, changed(below, [](Striking& s) { s.mass = 1.0; }), up, 1.0, 0.0, "two alike, e = 1, no friction"});
