@@ -16,7 +16,7 @@ if(GOISHI_BUILD_C)  # a component of the package: it is installed where it has b
     LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}"
     PUBLIC_HEADER DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
     INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
-  install(EXPORT goishi_c_targets NAMESPACE goishi:: FILE goishiTargets-c.cmake DESTINATION "${package_dir}")
+  install(EXPORT goishi_c_targets NAMESPACE goishi:: FILE goishiC.cmake DESTINATION "${package_dir}")
 endif()
 
 configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/goishiConfig.cmake.in"
