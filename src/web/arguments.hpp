@@ -41,10 +41,10 @@ struct Body {
 
 [[nodiscard]] inline State<double> read_state(const char* name, const double* pointer, std::size_t size) {
   const auto a = read<GOISHI_STATE_SIZE>(name, pointer, size);
-  const State<double> state{.p_WB = {a[0], a[1], a[2]},
-                            .q_WB = Quat<double>(a[3], a[4], a[5], a[6]),
-                            .v_WB = {a[7], a[8], a[9]},
-                            .L_W = {a[10], a[11], a[12]}};
+  State<double> state{.p_WB = {a[0], a[1], a[2]},
+                      .q_WB = Quat<double>(a[3], a[4], a[5], a[6]),
+                      .v_WB = {a[7], a[8], a[9]},
+                      .L_W = {a[10], a[11], a[12]}};
   require_state(state);
   return state;
 }
@@ -52,13 +52,13 @@ struct Body {
 using Obstacle = std::variant<Plane<double>, Board<double>>;
 
 [[nodiscard]] inline Obstacle read_ground(const double* pointer, std::size_t size) {
+  constexpr std::size_t of_plane = GOISHI_PLANE_SIZE, of_board = GOISHI_BOARD_SIZE;
   require_pointer("ground", pointer);
-  if (size == GOISHI_PLANE_SIZE) {
+  if (size == of_plane) {
     const auto a = read<GOISHI_PLANE_SIZE>("ground", pointer, size);
     return Plane<double>{{a[0], a[1], a[2]}, a[3]};
   }
-  require(size == GOISHI_BOARD_SIZE, "ground_size", size, "must be ", GOISHI_PLANE_SIZE, " of a plane, or ",
-          GOISHI_BOARD_SIZE, " of a board");
+  require(size == of_board, "ground_size", size, "must be ", of_plane, " of a plane, or ", of_board, " of a board");
   const auto a = read<GOISHI_BOARD_SIZE>("ground", pointer, size);
   return make_board(BoardDimensions<double>{.lines = whole("lines", a[GOISHI_BOARD_LINES], 1, most_whole),
                                             .spacing_x = a[GOISHI_BOARD_SPACING_X],

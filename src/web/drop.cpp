@@ -9,7 +9,7 @@
 
 #include "arguments.hpp"
 
-struct goishi_drop {  // NOLINT(readability-identifier-naming): C
+struct goishi_drop {
   goishi::Drop<double> drop;
   std::vector<goishi::Event<double>> events;
 };

@@ -221,7 +221,7 @@ enum {
 ///         filled before a step failed, and `ended` how. The others are as they were.
 GOISHI_API int goishi_flight(const double* stone, size_t stone_size, const double* state, size_t state_size,
                              const double* gravity, size_t gravity_size, int freedom, int scheme, double step,
-                             int64_t steps, double* rows, size_t rows_size, size_t* done, int* ended);
+                             int steps, double* rows, size_t rows_size, size_t* done, int* ended);
 
 // --- Contact
 

@@ -73,10 +73,10 @@ int goishi_free_flight(const double* stone, size_t stone_size, const double* sta
 }
 
 int goishi_flight(const double* stone, size_t stone_size, const double* state, size_t state_size, const double* gravity,
-                  size_t gravity_size, int freedom, int scheme, double step, int64_t steps, double* rows,
-                  size_t rows_size, size_t* done, int* ended) {
+                  size_t gravity_size, int freedom, int scheme, double step, int steps, double* rows, size_t rows_size,
+                  size_t* done, int* ended) {
   return guarded([&] {
-    constexpr std::int64_t most_steps = 100'000'000;
+    constexpr int most_steps = 100'000'000;
     const Body body = read_stone("stone", stone, stone_size);
     const State<double> start = read_state("state", state, state_size);
     const Vec g_W = read_vector("gravity", gravity, gravity_size);
@@ -100,7 +100,7 @@ int goishi_flight(const double* stone, size_t stone_size, const double* state, s
           break;
         }
       }
-      const double time = static_cast<double>(static_cast<std::int64_t>(i) * steps) * step;
+      const double time = static_cast<double>(i * static_cast<std::size_t>(steps)) * step;
       const State<double> exact = free_flight(start, rates, g_W, time, what);
       Row row(result);
       row << time;

@@ -29,8 +29,8 @@ static_assert(is(StoneColor::white, GOISHI_WHITE) && is(StoneColor::black, GOISH
 
 [[nodiscard]] Mesh<double> make_mesh(const Body& body, int method, const int* fineness, std::size_t fineness_size,
                                      int weld_how) {
-  require(GOISHI_UNWELDED <= weld_how && weld_how <= GOISHI_WELDED_BY_POSITION, "weld", weld_how, "must be from 0 to ",
-          GOISHI_WELDED_BY_POSITION);
+  constexpr int last = GOISHI_WELDED_BY_POSITION;
+  require(GOISHI_UNWELDED <= weld_how && weld_how <= last, "weld", weld_how, "must be from 0 to ", last);
   const Mesh<double> mesh = tessellate(body.stone, read_method(method), read_fineness(fineness, fineness_size));
   return weld_how == GOISHI_UNWELDED ? unwelded(mesh)
          : weld_how == GOISHI_WELDED ? weld(mesh, Weld::position_and_normal)

@@ -139,11 +139,11 @@ std::vector<Call> motion_calls() {
         out("ended", 1, false, Kind::integer)},
        {freedom,
         {"scheme", GOISHI_RUNGE_KUTTA_4, {-1, 9, INT_MAX, INT_MIN}},
-        {"steps", 3, {0, -1, LLONG_MIN, LLONG_MAX, 100'000'000}}},
+        {"steps", 3, {0, -1, INT_MIN, INT_MAX, 100'000'000}}},
        {{"step", 1e-3, {0.0, -1.0, infinity, nan}}},
        [](const Views& a, const Wholes& i, const Scalars& x) {
          return goishi_flight(a[0].numbers(), a[0].size, a[1].numbers(), a[1].size, a[2].numbers(), a[2].size,
-                              as_int(i[0]), as_int(i[1]), x[0], i[2], a[3].numbers(), a[3].size, a[4].sizes(),
+                              as_int(i[0]), as_int(i[1]), x[0], as_int(i[2]), a[3].numbers(), a[3].size, a[4].sizes(),
                               a[5].ints());
        }},
   };
