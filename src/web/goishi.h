@@ -122,7 +122,7 @@ enum { GOISHI_UNWELDED = 0, GOISHI_WELDED = 1, GOISHI_WELDED_BY_POSITION = 2 };
 /// How finely, in whole numbers.
 enum { GOISHI_MESH_RINGS = 0, GOISHI_MESH_ROWS = 1, GOISHI_MESH_SEGMENTS = 2, GOISHI_FINENESS_SIZE = 3 };
 
-/// Of a level from 0 to 8; or, with `level` −1, the coarsest that is nowhere farther than `tolerance` [m] from the stone.
+/// Of a level from 0 to 8; or, with `level` −1, of few triangles that are nowhere farther than `tolerance` [m] from the stone.
 /// Calls  fineness_of_level or fineness_for.   Result  `fineness[GOISHI_FINENESS_SIZE]`.
 GOISHI_API int goishi_fineness(const double* stone, size_t stone_size, int method, int level, double tolerance,
                                int* fineness, size_t fineness_size);
