@@ -1,4 +1,4 @@
-# Headers, the program, and the package behind find_package(goishi CONFIG).
+# Headers, the program, the C interface, and the package behind find_package(goishi CONFIG).
 
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -10,6 +10,13 @@ install(TARGETS goishi EXPORT goishi_targets INCLUDES DESTINATION "${CMAKE_INSTA
 install(EXPORT goishi_targets NAMESPACE goishi:: FILE goishiTargets.cmake DESTINATION "${package_dir}")
 if(GOISHI_BUILD_CLI)
   install(TARGETS goishi_cli RUNTIME)
+endif()
+if(GOISHI_BUILD_C)  # a component of the package: it is installed where it has been built
+  install(TARGETS goishi_c EXPORT goishi_c_targets OPTIONAL
+    LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+    PUBLIC_HEADER DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
+    INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+  install(EXPORT goishi_c_targets NAMESPACE goishi:: FILE goishiC.cmake DESTINATION "${package_dir}")
 endif()
 
 configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/goishiConfig.cmake.in"

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <goishi/error.hpp>
 #include <goishi/rotation.hpp>
 #include <goishi/scalar.hpp>
@@ -72,7 +73,9 @@ template <Ordered T>
 [[nodiscard]] std::uint64_t mixed(std::uint64_t hash, const Vec3<T>& v) {
   for (int i = 0; i < 3; ++i) {
     const double x = static_cast<double>(v[i]) + 0.0;
-    hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15U;
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &x, sizeof(bits));  // libc++ 13 has no bit_cast
+    hash = (hash ^ bits) * 0x9e3779b97f4a7c15U;
     hash = (hash ^ hash >> 32) * 0xd6e8feb86659fd93U;
     hash ^= hash >> 32;
   }
@@ -185,7 +188,7 @@ template <Ordered T>
   std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
   each([&](const HalfEdge& edge) { edges[next[edge.low]++] = edge; });
   for (std::size_t i = 0; i + 1 < begin.size(); ++i) {
-    std::sort(edges.begin() + begin[i], edges.begin() + begin[i + 1],
+    std::sort(edges.data() + begin[i], edges.data() + begin[i + 1],
               [](const HalfEdge& a, const HalfEdge& b) { return a.high < b.high; });
   }
   return edges;

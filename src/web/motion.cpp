@@ -1,0 +1,117 @@
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <goishi/motion/free_flight.hpp>
+#include <goishi/motion/steppers.hpp>
+#include <vector>
+
+#include "arguments.hpp"
+
+namespace goishi::c {
+
+namespace {
+
+static_assert(is(Freedom::linear, GOISHI_LINEAR) && is(Freedom::angular, GOISHI_ANGULAR) &&
+              is(Freedom::both, GOISHI_BOTH));
+static_assert(is(Scheme::published, GOISHI_PUBLISHED) && is(Scheme::explicit_euler, GOISHI_EXPLICIT_EULER) &&
+              is(Scheme::exponential_euler, GOISHI_EXPONENTIAL_EULER) &&
+              is(Scheme::implicit_midpoint, GOISHI_IMPLICIT_MIDPOINT) &&
+              is(Scheme::runge_kutta_4, GOISHI_RUNGE_KUTTA_4) && is(Scheme::splitting_2, GOISHI_SPLITTING_2) &&
+              is(Scheme::splitting_4, GOISHI_SPLITTING_4) && is(Scheme::splitting_6, GOISHI_SPLITTING_6) &&
+              is(Scheme::exact, GOISHI_EXACT));
+static_assert(is(StepStatus::completed, GOISHI_COMPLETED) && is(StepStatus::diverged, GOISHI_DIVERGED) &&
+              is(StepStatus::not_converged, GOISHI_STEP_NOT_CONVERGED));
+
+/// The angle between two attitudes   [rad].
+[[nodiscard]] double angle_between(const Quat<double>& a, const Quat<double>& b) {
+  const Quat<double> turn = formula::product(Quat<double>(a.conjugate()), b);
+  return 2.0 * std::atan2(turn.vec().norm(), std::abs(turn.w()));
+}
+
+}  // namespace
+}  // namespace goishi::c
+
+using namespace goishi;
+using namespace goishi::c;
+
+extern "C" {
+
+int goishi_state(const double* stone, size_t stone_size, const double* pose, size_t pose_size, const double* velocity,
+                 size_t velocity_size, const double* spin, size_t spin_size, double* state, size_t state_size) {
+  return guarded([&] {
+    const RigidBody<double> body = read_stone("stone", stone, stone_size).rigid();
+    const Pose<double> there = read_pose("pose", pose, pose_size);
+    const Vec v_WB = read_vector("velocity", velocity, velocity_size), w_WB_B = read_vector("spin", spin, spin_size);
+    require_array("state", state, state_size, GOISHI_STATE_SIZE);
+    const double length = there.q_WB.coeffs().stableNorm();
+    require(0.0 < length && scalar::is_finite(length), "attitude", length, "must have a length that is not 0");
+    const Quat<double> q_WB(Eigen::Vector4d(there.q_WB.coeffs().stableNormalized()));
+    require(scalar::is_finite(w_WB_B), "spin", w_WB_B.transpose(), "must be finite");
+    const State<double> result{
+        .p_WB = there.p_WB, .q_WB = q_WB, .v_WB = v_WB, .L_W = formula::angular_momentum_W<double>(q_WB, body, w_WB_B)};
+    require_state(result);
+    std::vector<double> row;
+    Row(row) << result;
+    write(row, state);
+  });
+}
+
+int goishi_free_flight(const double* stone, size_t stone_size, const double* state, size_t state_size,
+                       const double* gravity, size_t gravity_size, int freedom, double time, double* motion,
+                       size_t motion_size) {
+  return guarded([&] {
+    const Body body = read_stone("stone", stone, stone_size);
+    const State<double> start = read_state("state", state, state_size);
+    const Vec g_W = read_vector("gravity", gravity, gravity_size);
+    require_array("motion", motion, motion_size, GOISHI_MOTION_SIZE);
+    const State<double> there =
+        free_flight(start, make_top_rates(body.mass.moments), g_W, time, chosen("freedom", freedom, Freedom::both));
+    std::vector<double> row;
+    put_motion(Row(row), there, body.rigid(), g_W);
+    write(row, motion);
+  });
+}
+
+int goishi_flight(const double* stone, size_t stone_size, const double* state, size_t state_size, const double* gravity,
+                  size_t gravity_size, int freedom, int scheme, double step, int steps, double* rows, size_t rows_size,
+                  size_t* done, int* ended) {
+  return guarded([&] {
+    constexpr int most_steps = 100'000'000;
+    const Body body = read_stone("stone", stone, stone_size);
+    const State<double> start = read_state("state", state, state_size);
+    const Vec g_W = read_vector("gravity", gravity, gravity_size);
+    const std::size_t count = count_rows("rows", rows, rows_size, GOISHI_FLIGHT_SIZE);
+    require_pointer("done", done);
+    require_pointer("ended", ended);
+    const Freedom what = chosen("freedom", freedom, Freedom::both);
+    const RigidBody<double> rigid = body.rigid();
+    const Stepper<double> stepper(chosen("scheme", scheme, Scheme::exact), rigid, g_W, what);
+    const TopRates<double> rates = make_top_rates(body.mass.moments);
+    require_positive("step", step);
+    require(1 <= steps, "steps", steps, "must be at least 1");
+    require(count - 1 <= static_cast<std::size_t>(most_steps / steps), "steps", steps, "must be so few that ", count,
+            " rows are at most ", most_steps, " of them");
+    std::vector<double> result;
+    Stepped<double> stepped{.state = start};
+    for (std::size_t i = 0; i < count; ++i) {
+      if (0 < i) {
+        stepped = stepper.advance(stepped.state, step, steps);
+        if (stepped.status != StepStatus::completed) {
+          break;
+        }
+      }
+      const double time = static_cast<double>(i * static_cast<std::size_t>(steps)) * step;
+      const State<double> exact = free_flight(start, rates, g_W, time, what);
+      Row row(result);
+      row << time;
+      put_motion(row, stepped.state, rigid, g_W);
+      put_motion(row, exact, rigid, g_W);
+      row << angle_between(exact.q_WB, stepped.state.q_WB) << Vec(stepped.state.p_WB - exact.p_WB).norm();
+    }
+    write(result, rows);
+    *done = result.size() / GOISHI_FLIGHT_SIZE;
+    *ended = static_cast<int>(stepped.status);
+  });
+}
+
+}  // extern "C"

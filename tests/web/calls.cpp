@@ -1,0 +1,399 @@
+#include "tests/web/calls.hpp"
+
+#include <climits>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+namespace goishi::web_test {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+
+const std::vector<double> stone = {0.022, 0.0092, 0.001, 0.0, 2800.0, 0.0};
+const std::vector<double> state = {0.01, -0.02, 0.05, 0.8, 0.6, 0.0, 0.0, 0.1, 0.0, -0.2, 1e-6, -2e-6, 3e-6};
+const std::vector<double> pose(state.begin(), state.begin() + GOISHI_POSE_SIZE);
+const std::vector<double> other_state = {0.01, -0.02, 0.01, 0.6, 0.0, 0.8, 0.0, 0.0, 0.0, 0.5, 0.0, 1e-6, 0.0};
+const std::vector<double> other_pose(other_state.begin(), other_state.begin() + GOISHI_POSE_SIZE);
+const std::vector<double> gravity = {0.0, 0.0, -9.80665};
+const std::vector<double> point = {0.015, -0.02, 0.046}, normal = {0.0, 0.0, 1.0};
+const std::vector<double> impulse = {1e-4, -2e-4, 1e-3};
+const std::vector<double> board = {19.0, 0.022, 0.0237, 0.0141, 0.01395, 0.1515, 0.0};
+const std::vector<double> plane = {0.0, 0.0, 1.0, 0.0};
+
+std::vector<double> settings() {
+  std::vector<double> result(GOISHI_SETTINGS_SIZE);
+  if (goishi_settings(result.data(), result.size()) != GOISHI_OK) {
+    std::abort();
+  }
+  return result;
+}
+
+Array in(const char* name, const std::vector<double>& values, Kind kind = Kind::numbers) {
+  return {.name = name, .values = values, .kind = kind};
+}
+
+Array out(const char* name, std::size_t size, bool rows = false, Kind kind = Kind::numbers) {
+  return {.name = name, .values = std::vector<double>(size, 77.0), .output = true, .rows = rows, .kind = kind};
+}
+
+const Array the_drop = in("drop", {0.0}, Kind::drop), new_drop = out("drop", 1, false, Kind::new_drop);
+
+int as_int(long long value) {
+  return static_cast<int>(value);
+}
+
+std::vector<Call> shape_calls() {
+  const Array fineness = in("fineness", {2.0, 3.0, 4.0}, Kind::ints);
+  const Whole method{"method", GOISHI_SUBDIVISION, {-1, 2, INT_MAX, INT_MIN}};
+  const Whole weld{"weld", GOISHI_WELDED, {-1, 3, INT_MAX, INT_MIN}};
+  return {
+      {"goishi_catalogue_stone",
+       {out("stone", GOISHI_STONE_SIZE)},
+       {{"size", 33, {0, 23, -1, INT_MAX, INT_MIN}}, {"color", GOISHI_BLACK, {-1, 2, INT_MAX, INT_MIN}}},
+       {{"bevel", 0.001, {-1e-300, 0.0098, 1.0, infinity, -infinity, nan}}},
+       [](const Views& a, const Wholes& i, const Scalars& x) {
+         return goishi_catalogue_stone(as_int(i[0]), as_int(i[1]), x[0], a[0].numbers(), a[0].size);
+       }},
+      {"goishi_measures",
+       {in("stone", stone), out("measures", GOISHI_MEASURES_SIZE)},
+       {},
+       {},
+       [](const Views& a, const Wholes&, const Scalars&) {
+         return goishi_measures(a[0].numbers(), a[0].size, a[1].numbers(), a[1].size);
+       }},
+      {"goishi_profile",
+       {in("stone", stone), out("rows", std::size_t{3 * 5 * GOISHI_PROFILE_SIZE}, true)},
+       {{"steps", 4, {0, 3, 5, 6, LLONG_MAX, -1}}},
+       {},
+       [](const Views& a, const Wholes& i, const Scalars&) {
+         return goishi_profile(a[0].numbers(), a[0].size, static_cast<std::size_t>(i[0]), a[1].numbers(), a[1].size);
+       }},
+      {"goishi_fineness",
+       {in("stone", stone), out("fineness", GOISHI_FINENESS_SIZE, false, Kind::ints)},
+       {method, {"level", 3, {-2, 9, INT_MAX, INT_MIN}}},
+       {{"tolerance", 1e-4, {}}},
+       [](const Views& a, const Wholes& i, const Scalars& x) {
+         return goishi_fineness(a[0].numbers(), a[0].size, as_int(i[0]), as_int(i[1]), x[0], a[1].ints(), a[1].size);
+       }},
+      {"goishi_fineness by tolerance",
+       {in("stone", stone), out("fineness", GOISHI_FINENESS_SIZE, false, Kind::ints)},
+       {method},
+       {{"tolerance", 1e-4, {0.0, -1.0, 1e-18, 1e-300, infinity, nan}}},
+       [](const Views& a, const Wholes& i, const Scalars& x) {
+         return goishi_fineness(a[0].numbers(), a[0].size, as_int(i[0]), -1, x[0], a[1].ints(), a[1].size);
+       }},
+      {"goishi_mesh_figures",
+       {in("stone", stone), fineness, out("figures", GOISHI_MESH_FIGURES_SIZE)},
+       {method, weld},
+       {},
+       [](const Views& a, const Wholes& i, const Scalars&) {
+         return goishi_mesh_figures(a[0].numbers(), a[0].size, as_int(i[0]), a[1].ints(), a[1].size, as_int(i[1]),
+                                    a[2].numbers(), a[2].size);
+       }},
+      {"goishi_mesh_counts",
+       {in("stone", stone), fineness, out("vertices", 1, false, Kind::size), out("triangles", 1, false, Kind::size)},
+       {method, weld},
+       {},
+       [](const Views& a, const Wholes& i, const Scalars&) {
+         return goishi_mesh_counts(a[0].numbers(), a[0].size, as_int(i[0]), a[1].ints(), a[1].size, as_int(i[1]),
+                                   a[2].sizes(), a[3].sizes());
+       }},
+      {"goishi_mesh",
+       {in("stone", stone), fineness, out("points", std::size_t{3 * 92}), out("normals", std::size_t{3 * 92}),
+        out("corners", std::size_t{3 * 180}, false, Kind::corners)},
+       {method, weld},
+       {},
+       [](const Views& a, const Wholes& i, const Scalars&) {
+         return goishi_mesh(a[0].numbers(), a[0].size, as_int(i[0]), a[1].ints(), a[1].size, as_int(i[1]),
+                            a[2].numbers(), a[2].size, a[3].numbers(), a[3].size, a[4].corners(), a[4].size);
+       }},
+  };
+}
+
+std::vector<Call> motion_calls() {
+  const Whole freedom{"freedom", GOISHI_BOTH, {-1, 3, INT_MAX, INT_MIN}};
+  return {
+      {"goishi_state",
+       {in("stone", stone), in("pose", pose), in("velocity", {0.1, 0.2, 0.3}), in("spin", {1.0, -2.0, 3.0}),
+        out("state", GOISHI_STATE_SIZE)},
+       {},
+       {},
+       [](const Views& a, const Wholes&, const Scalars&) {
+         return goishi_state(a[0].numbers(), a[0].size, a[1].numbers(), a[1].size, a[2].numbers(), a[2].size,
+                             a[3].numbers(), a[3].size, a[4].numbers(), a[4].size);
+       }},
+      {"goishi_free_flight",
+       {in("stone", stone), in("state", state), in("gravity", gravity), out("motion", GOISHI_MOTION_SIZE)},
+       {freedom},
+       {{"time", -0.25, {infinity, -infinity, nan}}},
+       [](const Views& a, const Wholes& i, const Scalars& x) {
+         return goishi_free_flight(a[0].numbers(), a[0].size, a[1].numbers(), a[1].size, a[2].numbers(), a[2].size,
+                                   as_int(i[0]), x[0], a[3].numbers(), a[3].size);
+       }},
+      {"goishi_flight",
+       {in("stone", stone), in("state", state), in("gravity", gravity),
+        out("rows", std::size_t{5 * GOISHI_FLIGHT_SIZE}, true), out("done", 1, false, Kind::size),
+        out("ended", 1, false, Kind::integer)},
+       {freedom,
+        {"scheme", GOISHI_RUNGE_KUTTA_4, {-1, 9, INT_MAX, INT_MIN}},
+        {"steps", 3, {0, -1, INT_MIN, INT_MAX, 100'000'000}}},
+       {{"step", 1e-3, {0.0, -1.0, infinity, nan}}},
+       [](const Views& a, const Wholes& i, const Scalars& x) {
+         return goishi_flight(a[0].numbers(), a[0].size, a[1].numbers(), a[1].size, a[2].numbers(), a[2].size,
+                              as_int(i[0]), as_int(i[1]), x[0], as_int(i[2]), a[3].numbers(), a[3].size, a[4].sizes(),
+                              a[5].ints());
+       }},
+  };
+}
+
+std::vector<Call> contact_calls() {
+  std::vector<Call> result;
+  for (const std::vector<double>& ground : {plane, board}) {
+    result.push_back(
+        {"goishi_separation",
+         {in("stone", stone), in("pose", pose), in("ground", ground), out("separation", GOISHI_SEPARATION_SIZE)},
+         {},
+         {},
+         [](const Views& a, const Wholes&, const Scalars&) {
+           return goishi_separation(a[0].numbers(), a[0].size, a[1].numbers(), a[1].size, a[2].numbers(), a[2].size,
+                                    a[3].numbers(), a[3].size);
+         }});
+    result.push_back({"goishi_time_of_impact",
+                      {in("stone", stone), in("state", state), in("gravity", gravity), in("ground", ground),
+                       out("hit", GOISHI_HIT_SIZE)},
+                      {},
+                      {{"horizon", infinity, {0.0, -1.0, -infinity, nan}}},
+                      [](const Views& a, const Wholes&, const Scalars& x) {
+                        return goishi_time_of_impact(a[0].numbers(), a[0].size, a[1].numbers(), a[1].size,
+                                                     a[2].numbers(), a[2].size, a[3].numbers(), a[3].size, x[0],
+                                                     a[4].numbers(), a[4].size);
+                      }});
+    result.push_back({"goishi_holds",
+                      {in("stone", stone), in("pose", pose), in("ground", ground), in("settings", settings()),
+                       out("hold", GOISHI_HOLD_SIZE)},
+                      {},
+                      {},
+                      [](const Views& a, const Wholes&, const Scalars&) {
+                        return goishi_holds(a[0].numbers(), a[0].size, a[1].numbers(), a[1].size, a[2].numbers(),
+                                            a[2].size, a[3].numbers(), a[3].size, a[4].numbers(), a[4].size);
+                      }});
+    result.push_back(
+        {"goishi_drop_create",
+         {in("stone", stone), in("state", state), in("ground", ground), in("settings", settings()), new_drop},
+         {{"kept", 10, {}}},
+         {},
+         [](const Views& a, const Wholes& i, const Scalars&) {
+           return goishi_drop_create(a[0].numbers(), a[0].size, a[1].numbers(), a[1].size, a[2].numbers(), a[2].size,
+                                     a[3].numbers(), a[3].size, static_cast<std::size_t>(i[0]), a[4].new_drop());
+         }});
+  }
+  const Whole law{"law", GOISHI_CHATTERJEE_RUINA, {-1, 3, INT_MAX, INT_MIN}};
+  const Scalar restitution{"restitution", 0.5, {-1e-300, 1.0000000000000002, infinity, nan}};
+  const Scalar friction{"friction", 0.3, {-1e-300, -infinity, nan}};
+  result.push_back(
+      {"goishi_board", {out("board", GOISHI_BOARD_SIZE)}, {}, {}, [](const Views& a, const Wholes&, const Scalars&) {
+         return goishi_board(a[0].numbers(), a[0].size);
+       }});
+  result.push_back({"goishi_separation_stones",
+                    {in("stone", stone), in("pose", pose), in("other", stone), in("other_pose", other_pose),
+                     out("separation", GOISHI_SEPARATION_SIZE)},
+                    {},
+                    {},
+                    [](const Views& a, const Wholes&, const Scalars&) {
+                      return goishi_separation_stones(a[0].numbers(), a[0].size, a[1].numbers(), a[1].size,
+                                                      a[2].numbers(), a[2].size, a[3].numbers(), a[3].size,
+                                                      a[4].numbers(), a[4].size);
+                    }});
+  result.push_back({"goishi_time_of_impact_stones",
+                    {in("stone", stone), in("state", state), in("other", stone), in("other_state", other_state),
+                     in("gravity", gravity), out("hit", GOISHI_HIT_SIZE)},
+                    {},
+                    {{"horizon", 1.0, {0.0, -1.0, -infinity, nan}}},
+                    [](const Views& a, const Wholes&, const Scalars& x) {
+                      return goishi_time_of_impact_stones(a[0].numbers(), a[0].size, a[1].numbers(), a[1].size,
+                                                          a[2].numbers(), a[2].size, a[3].numbers(), a[3].size,
+                                                          a[4].numbers(), a[4].size, x[0], a[5].numbers(), a[5].size);
+                    }});
+  result.push_back({"goishi_impact",
+                    {in("stone", stone), in("state", state), in("point", point), in("normal", normal),
+                     out("impact", GOISHI_IMPACT_SIZE)},
+                    {law},
+                    {restitution, friction},
+                    [](const Views& a, const Wholes& i, const Scalars& x) {
+                      return goishi_impact(a[0].numbers(), a[0].size, a[1].numbers(), a[1].size, as_int(i[0]), x[0],
+                                           x[1], a[2].numbers(), a[2].size, a[3].numbers(), a[3].size, a[4].numbers(),
+                                           a[4].size);
+                    }});
+  result.push_back({"goishi_impact_stones",
+                    {in("stone", stone), in("state", state), in("other", stone), in("other_state", other_state),
+                     in("point", point), in("normal", normal), out("impact", GOISHI_IMPACT_STONES_SIZE)},
+                    {law},
+                    {restitution, friction},
+                    [](const Views& a, const Wholes& i, const Scalars& x) {
+                      return goishi_impact_stones(a[0].numbers(), a[0].size, a[1].numbers(), a[1].size, a[2].numbers(),
+                                                  a[2].size, a[3].numbers(), a[3].size, as_int(i[0]), x[0], x[1],
+                                                  a[4].numbers(), a[4].size, a[5].numbers(), a[5].size, a[6].numbers(),
+                                                  a[6].size);
+                    }});
+  return result;
+}
+
+std::vector<Call> drop_calls() {
+  return {
+      {"goishi_settings",
+       {out("settings", GOISHI_SETTINGS_SIZE)},
+       {},
+       {},
+       [](const Views& a, const Wholes&, const Scalars&) { return goishi_settings(a[0].numbers(), a[0].size); }},
+      {"goishi_drop_copy",
+       {the_drop, out("copy", 1, false, Kind::new_drop)},
+       {},
+       {},
+       [](const Views& a, const Wholes&, const Scalars&) { return goishi_drop_copy(a[0].drop(), a[1].new_drop()); }},
+      {"goishi_drop_advance",
+       {the_drop},
+       {},
+       {{"dt", 0.01, {-1e-300, -infinity, nan}}},
+       [](const Views& a, const Wholes&, const Scalars& x) { return goishi_drop_advance(a[0].drop(), x[0]); }},
+      {"goishi_drop_push",
+       {the_drop, in("point", point), in("impulse", impulse)},
+       {},
+       {},
+       [](const Views& a, const Wholes&, const Scalars&) {
+         return goishi_drop_push(a[0].drop(), a[1].numbers(), a[1].size, a[2].numbers(), a[2].size);
+       }},
+      {"goishi_drop_change",
+       {the_drop, in("settings", settings())},
+       {},
+       {},
+       [](const Views& a, const Wholes&, const Scalars&) {
+         return goishi_drop_change(a[0].drop(), a[1].numbers(), a[1].size);
+       }},
+      {"goishi_drop_info",
+       {the_drop, out("info", GOISHI_DROP_SIZE)},
+       {},
+       {},
+       [](const Views& a, const Wholes&, const Scalars&) {
+         return goishi_drop_info(a[0].drop(), a[1].numbers(), a[1].size);
+       }},
+      {"goishi_drop_events",
+       {the_drop, out("rows", std::size_t{2 * GOISHI_EVENT_SIZE}, true)},
+       {{"first", 0, {1'000'000, LLONG_MAX, -1}}},
+       {},
+       [](const Views& a, const Wholes& i, const Scalars&) {
+         return goishi_drop_events(a[0].drop(), static_cast<std::size_t>(i[0]), a[1].numbers(), a[1].size);
+       }},
+      {"goishi_drop_motions",
+       {the_drop, in("times", {0.1, 0.0}), out("motions", std::size_t{2 * GOISHI_MOTION_SIZE}, true)},
+       {{"side", GOISHI_AFTER, {-1, 2, INT_MAX, INT_MIN}}},
+       {},
+       [](const Views& a, const Wholes& i, const Scalars&) {
+         return goishi_drop_motions(a[0].drop(), a[1].numbers(), a[1].size, as_int(i[0]), a[2].numbers(), a[2].size);
+       }},
+  };
+}
+
+std::size_t element_size(Kind kind) {
+  switch (kind) {
+    case Kind::numbers:
+      return sizeof(double);
+    case Kind::ints:
+    case Kind::integer:
+      return sizeof(int);
+    case Kind::corners:
+      return sizeof(std::uint32_t);
+    case Kind::size:
+      return sizeof(std::size_t);
+    case Kind::drop:
+    case Kind::new_drop:
+      break;
+  }
+  return sizeof(goishi_drop*);
+}
+
+}  // namespace
+
+std::vector<Call> all_calls() {
+  std::vector<Call> result = shape_calls();
+  for (std::vector<Call>& more : std::vector<std::vector<Call>>{motion_calls(), contact_calls(), drop_calls()}) {
+    for (Call& call : more) {
+      result.push_back(std::move(call));
+    }
+  }
+  return result;
+}
+
+goishi_drop* falling_drop() {
+  goishi_drop* drop = nullptr;
+  const std::vector<double> how = settings();
+  if (goishi_drop_create(stone.data(), stone.size(), state.data(), state.size(), board.data(), board.size(), how.data(),
+                         how.size(), 1000, &drop) != GOISHI_OK ||
+      goishi_drop_advance(drop, 0.1) != GOISHI_OK) {
+    std::abort();
+  }
+  return drop;
+}
+
+Memory::Memory(const Array& array)
+    : count_(array.values.size()),
+      size_(count_ * element_size(array.kind)),
+      kind_(array.kind),
+      data_(new unsigned char[size_]) {
+  if (kind_ == Kind::drop) {
+    drop_ = falling_drop();
+    return;
+  }
+  for (std::size_t i = 0; i < count_; ++i) {
+    const double value = array.values[i];
+    const auto put = [&](const auto& element) {
+      std::memcpy(data_.get() + i * sizeof(element), &element, sizeof(element));
+    };
+    switch (kind_) {
+      case Kind::numbers:
+        put(value);
+        break;
+      case Kind::ints:
+      case Kind::integer:
+        put(static_cast<int>(value));
+        break;
+      case Kind::corners:
+        put(static_cast<std::uint32_t>(value));
+        break;
+      case Kind::size:
+        put(static_cast<std::size_t>(value));
+        break;
+      case Kind::drop:
+      case Kind::new_drop:
+        put(static_cast<goishi_drop*>(nullptr));
+        break;
+    }
+  }
+}
+
+Memory::Memory(Memory&& other) noexcept
+    : count_(other.count_),
+      size_(other.size_),
+      kind_(other.kind_),
+      data_(std::move(other.data_)),
+      drop_(std::exchange(other.drop_, nullptr)) {}
+
+Memory::~Memory() {
+  if (data_ && kind_ == Kind::new_drop) {
+    std::memcpy(&drop_, data_.get(), sizeof(drop_));
+  }
+  goishi_drop_free(drop_);
+}
+
+View Memory::view() const {
+  return {.pointer = kind_ == Kind::drop ? static_cast<void*>(drop_) : static_cast<void*>(data_.get()), .size = count_};
+}
+
+std::vector<unsigned char> Memory::bytes() const {
+  return kind_ == Kind::drop ? std::vector<unsigned char>{}
+                             : std::vector<unsigned char>(data_.get(), data_.get() + size_);
+}
+
+}  // namespace goishi::web_test

@@ -1,0 +1,99 @@
+// The C interface as WebAssembly gives what it gives natively.
+// usage: node wasm.mjs MODULE WASM TABLE   (TABLE: what goishi-web-table prints)
+
+import { readFileSync } from "node:fs";
+import { pathToFileURL } from "node:url";
+
+const [moduleFile, wasmFile, tableFile] = process.argv.slice(2);
+const make = (await import(pathToFileURL(moduleFile).href)).default;
+const goishi = await make({ wasmBinary: readFileSync(wasmFile) });
+const table = JSON.parse(readFileSync(tableFile, "utf8"));
+
+const scratch = new DataView(new ArrayBuffer(8));
+const number = (bits) => (scratch.setBigUint64(0, BigInt("0x" + bits)), scratch.getFloat64(0));
+const memory = () => new DataView(goishi.HEAPU8.buffer); // it moves when it grows
+
+/** Calls a function with arguments as the table has them: its last output, and what it set by pointers to one integer. */
+function call(name, given) {
+  const blocks = [], passed = [], ones = [];
+  let result = null;
+  const block = (bytes) => {
+    const at = goishi._malloc(Math.max(bytes, 8));
+    blocks.push(at);
+    new Uint8Array(goishi.HEAPU8.buffer, at, Math.max(bytes, 8)).fill(0); // rows that are not filled
+    return at;
+  };
+  for (const argument of given) {
+    if ("in" in argument) {
+      const at = block(8 * argument.in.length);
+      argument.in.forEach((bits, i) => memory().setBigUint64(at + 8 * i, BigInt("0x" + bits), true));
+      passed.push(at, argument.in.length);
+    } else if ("ints" in argument) {
+      const at = block(4 * argument.ints.length);
+      argument.ints.forEach((value, i) => memory().setInt32(at + 4 * i, value, true));
+      passed.push(at, argument.ints.length);
+    } else if ("out" in argument) {
+      result = { at: block(8 * argument.out), size: argument.out };
+      passed.push(result.at, result.size);
+    } else if ("one" in argument) {
+      ones.push(block(8));
+      passed.push(ones.at(-1));
+    } else {
+      passed.push("number" in argument ? number(argument.number) : argument.whole);
+    }
+  }
+  const status = goishi["_" + name](...passed);
+  const values = Array.from({ length: result?.size ?? 0 }, (_, i) =>
+    memory().getBigUint64(result.at + 8 * i, true).toString(16).padStart(16, "0"));
+  const set = ones.map((at) => memory().getInt32(at, true));
+  blocks.forEach((at) => goishi._free(at));
+  if (status !== 0) throw new Error(`${name}: ${goishi.UTF8ToString(goishi._goishi_message())}`);
+  return { values, set };
+}
+
+/** The info of a drop after a time. */
+function drop([stone, state, ground, settings, dt, info]) {
+  const [handle] = call("goishi_drop_create", [stone, state, ground, settings, { whole: 100 }, { one: 0 }]).set;
+  call("goishi_drop_advance", [{ whole: handle }, dt]);
+  const { values } = call("goishi_drop_info", [{ whole: handle }, info]);
+  goishi._goishi_drop_free(handle);
+  return values;
+}
+
+const measures = 19, mass = [14, 15, 16]; // GOISHI_MEASURES_SIZE; GOISHI_TRUE_MASS, GOISHI_AXIAL, GOISHI_TRANSVERSE
+
+let failures = 0, exact = 0, near = 0, otherMass = 0, worst = 0;
+const complain = (index, text) => {
+  if (++failures <= 20) console.error(`case ${index}, ${table[index].function}: ${text}`);
+};
+
+table.forEach((one, index) => {
+  const got = one.function === "drop" ? drop(one.arguments) : call(one.function, one.arguments).values;
+  const same = one.stones.every(({ stone, measures: expected }) => {
+    const found = call("goishi_measures", [{ in: stone }, { out: measures }]).values;
+    return mass.every((i) => found[i] === expected[i]);
+  });
+  if (!same) ++otherMass;
+  for (const [begin, count, scale] of one.groups) {
+    const places = Array.from({ length: count }, (_, i) => begin + i);
+    const size = Math.max(scale ?? 0, ...places.map((i) => Math.abs(number(one.result[i]))));
+    for (const i of places) {
+      const a = number(got[i]), b = number(one.result[i]);
+      if (scale === null && same) {
+        ++exact;
+        if (got[i] !== one.result[i] && !(Number.isNaN(a) && Number.isNaN(b))) complain(index, `${i} is ${a}, not ${b}`);
+      } else {
+        ++near;
+        const error = Object.is(a, b) ? 0 : Math.abs(a - b) / size;
+        worst = Math.max(worst, error);
+        if (!(error <= 1e-12)) complain(index, `${i} is ${a}, not ${b}: ${error} off`);
+      }
+    }
+  }
+});
+
+console.log(`${table.length} cases: ${exact} numbers to the last bit, ${near} within ${worst.toExponential(1)}; ` +
+  `in ${otherMass} cases the mass is another in the last bit`);
+if (table.length < 1000) complain(0, `there are only ${table.length} cases`);
+if (exact < 10000) complain(0, "too few numbers are compared to the last bit");
+process.exit(failures === 0 ? 0 : 1);
