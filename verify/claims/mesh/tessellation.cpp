@@ -99,7 +99,7 @@ Counted count(const Mesh<double>& mesh) {
 Measurement measure_topology(Context& context) {
   Checks checks;
   std::string welded;
-  const int finest = context.samples(3, 6);
+  const int finest = context.samples(3, 5);
   for_each_meshed_stone([&](const Stone<double>& stone, const std::string& name) {
     for (const Tessellation method : methods) {
       for (int level = 0; level <= finest_level; ++level) {
@@ -185,7 +185,7 @@ double sampled_distance(const Hull<long double>& hull, const Mesh<double>& mesh,
 }
 
 Measurement measure_deviation(Context& context) {
-  Checks checks;
+  Worst worst;
   for (int i = 0; i < context.samples(12, 60); ++i) {
     // As thick as stones are, and thinner; the ball; sharp every third.
     const Specimen specimen = draw_specimen(context, i, 0.02);
@@ -199,10 +199,9 @@ Measurement measure_deviation(Context& context) {
     const auto told = [&] {
       return fmt::format("{}, {}, {} rings, {} rows", describe(specimen), to_string(method), rings, fineness.rows);
     };
-    checks["below"].see(std::max(0.0, found / stated - 1.0), told);
-    checks["above"].see(std::max(0.0, stated / found - 1.0), told);
+    worst.see(std::fabs(stated / found - 1.0), told);
   }
-  return checks.measurement();
+  return worst.measurement();
 }
 
 // --- MESH-5
@@ -232,7 +231,7 @@ Measurement measure_fineness(Context& context) {
   int stones = 0;
   int place = 0;
   for_each_catalogue_stone([&](const CatalogueStone& entry, const std::string& name) {
-    if (context.tier() == Tier::quick && place++ % 5 != 0) {
+    if (place++ % context.samples(17, 5) != 0) {
       return;
     }
     for (const double bevel : {0.0, 1e-6 * catalogue::table_bevel}) {
@@ -345,18 +344,16 @@ std::vector<Claim> mesh_tessellation_claims() {
        .oracle = "sets of coordinates; Euler's formula",
        .checks = {none("closed", "meshes"), none("welding", "meshes"), none("facing", "meshes"),
                   none("counts", "meshes")},
-       .mutants = {{"mesh/tessellation.hpp", "put(in(i), out(o + 1), in(i + 1));",
-                    "put(in(i), in(i + 1), out(o + 1));"}},
+       .mutants = {{"mesh/tessellation.hpp", "put(a, b, in(side * of_inner + ++i));",
+                    "put(b, a, in(side * of_inner + ++i));"}},
        .measure = measure_topology_with_pictures},
       {.id = "MESH-3",
        .statement = "The distance between mesh and stone is what is stated.",
        .function = "deviation",
        .family = OracleFamily::brute_force,
        .oracle = "the surface, sampled and searched, against every triangle",
-       .checks = {within("below", 1e-6, "relative", "no point of the surface is farther; a millionth, as is stated",
-                         1e-8),
-                  within("above", 1e-9, "relative",
-                         "a point is as far: meshes of `tessellate` are convex; the search's last step; measured "
+       .checks = {within("", 1e-9, "relative",
+                         "it is reached, as meshes of `tessellate` are convex; the search's last step; measured "
                          "2026-11-30 with 12 seeds: up to 2.3e-11",
                          2e-11)},
        .mutants = {{"mesh/deviation.hpp", "if (formula::dot(u, formula::minus(corner(other, far), p)) < T(0)) {",
@@ -367,9 +364,11 @@ std::vector<Claim> mesh_tessellation_claims() {
        .function = "fineness_for",
        .family = OracleFamily::other_formula,
        .oracle = "Fejes Tóth's bound: triangles that are equilateral as the curvatures measure, everywhere",
-       .checks = {within("kept", 1.0, "of the tolerance", "what was asked for"),
-                  within("subdivision", 1.3, "of the least possible", "what was asked for"),
-                  within("rings", 4.0, "of the least possible", "long triangles at the pole, right ones at the rim")},
+       .checks =
+           {within("kept", 1.0, "of the tolerance", "what was asked for"),
+            within("subdivision", 1.3, "of the least possible", "what was asked for"),
+            within("rings", 2.7, "of the least possible",
+                   "long triangles at the pole, right ones at the rim; measured 2026-11-30 with 5 seeds: 2.1 to 2.52")},
        .mutants = {{"mesh/tessellation.hpp", "T(1) + joint_sine / T(5) * u", "T(1) + joint_sine * u"}},
        .measure = measure_fineness},
   };
