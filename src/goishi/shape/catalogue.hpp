@@ -97,7 +97,8 @@ struct CatalogueStone {
 /// The stone of a catalogue number and colour; InvalidArgument for a number that is not in the catalogue, or a value that
 /// is no standard.
 [[nodiscard]] inline CatalogueStone catalogue_stone(int number, StoneColor color, Standard standard = Standard::talk) {
-  const auto* size = std::ranges::find(catalogue::sizes, number, &catalogue::Size::number);
+  const auto* size = std::find_if(catalogue::sizes.begin(), catalogue::sizes.end(),
+                                  [number](const catalogue::Size& candidate) { return candidate.number == number; });
   if (size == catalogue::sizes.end()) {
     std::string known;
     for (const auto& candidate : catalogue::sizes) {
@@ -105,7 +106,8 @@ struct CatalogueStone {
     }
     throw_invalid("size", number, "must be one of ", known);
   }
-  const auto* widths = std::ranges::find(catalogue::widths, standard, &catalogue::Widths::standard);
+  const auto* widths = std::find_if(catalogue::widths.begin(), catalogue::widths.end(),
+                                    [standard](const catalogue::Widths& one) { return one.standard == standard; });
   require(widths != catalogue::widths.end(), "standard", static_cast<int>(standard), "must be one of `standards`");
   const bool black = color == StoneColor::black;
   return {.number = number,
