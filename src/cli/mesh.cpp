@@ -105,6 +105,7 @@ std::string statistics(const Subject& subject, const StoneMesh& mesh) {
   count("rows", static_cast<std::size_t>(mesh.fineness.rows), "of triangles across the bevel");
   count("segments", 5 * static_cast<std::size_t>(mesh.fineness.segments), "around the rim");
   count("triangles", mesh.mesh.triangles.size());
+  count("corners", 3 * mesh.mesh.triangles.size(), "of triangles, before they are welded");
   count("vertices", mesh.mesh.points.size(), "points with a normal");
   count("points", topology(mesh.mesh).points);
   add("cache misses", six_digits(Number(vertices_per_triangle(mesh.mesh))), "",

@@ -58,7 +58,8 @@ enum {
 
 enum { GOISHI_WHITE = 0, GOISHI_BLACK = 1 };
 
-/// The stone of a catalogue number (22, 25, 28, 30 … 40) and colour, with a bevel [m]; the density is an assumed one.
+/// The stone of a catalogue number (22, 25, 28, 30 … 50) and colour, by the talk's standard, with a bevel [m]; the density is
+/// an assumed one.
 /// Calls  catalogue_stone.   Result  `stone[GOISHI_STONE_SIZE]`.
 GOISHI_API int goishi_catalogue_stone(int number, int color, double bevel, double* stone, size_t stone_size);
 

@@ -126,7 +126,7 @@ class FinenessSearch {
 
   /// That with the fewest triangles for a tolerance, or none.
   [[nodiscard]] std::optional<Fineness> operator()(const T& tolerance) const {
-    // The rim's chords are N² times less than an eighth of the square of a fifth off, which is where this begins.
+    // A chord of the rim is an eighth of its square off, as the band's metric has it: with fewer segments none keeps it.
     const int first = parts(band_.around, T(scalar::sqrt(T(T(8) * tolerance))));
     std::optional<Fineness> best;
     for (int segments = first; segments <= std::min(2 * first, most_rings); ++segments) {
@@ -182,8 +182,8 @@ class FinenessSearch {
 ///
 /// Domain  a tolerance of at least 512 ε of the width, and one that 1024 rings, rows and segments keep, else
 ///         InvalidArgument.
-/// Error   none: it is kept. The triangles of stones of the catalogue are, from some thousands on, at most 1.3 times the least
-///         possible (MESH-5). The cost is that of some meshes and their `deviation`.
+/// Error   none: it is kept. At a micrometre and below, by subdivision, stones of the catalogue get at most 1.3 times the
+///         triangles of the least possible; where a tolerance asks for few rings, whole numbers of them cost more (MESH-5). The cost is that of some meshes and their `deviation`.
 template <Ordered T>
 [[nodiscard]] Fineness fineness_for(const Stone<T>& stone, Tessellation method, const T& tolerance) {
   require_positive("tolerance", tolerance);

@@ -87,8 +87,8 @@ namespace formula {
 ///     t (1 + κ (1 − t)) ((1 − t) ((1 − s) a + s b) + t c),   κ = sin α / 5
 ///
 /// The middle is the regular pentagon, where all triangles are alike; the rim is the circle. κ, which makes up for
-/// what the pentagon is smaller than the circle, was found by search: for a given error the cap has at most 1.15 times
-/// the triangles of the best possible, of caps from flat to the half sphere (MESH-5).
+/// what the pentagon is smaller than the circle, was found by search: what it gives, MESH-5 measures.
+/// Proof  derivations/mesh.cpp.
 template <Field T>
 [[nodiscard]] std::array<T, 2> pentagon_place(const T& t, const T& s, const std::array<T, 2>& a,
                                               const std::array<T, 2>& b, const std::array<T, 2>& c,
@@ -157,7 +157,7 @@ class Tessellator {
       // (x, y) is the unit direction from the axis; sine and cosine are those of the normal's angle with the axis.
       const Vec3<T> normal(T(sine * (x * turn[0] - y * turn[1])), T(sine * (x * turn[1] + y * turn[0])), cosine);
       const T height = formula::cap_support_height(stone_, cosine, scalar::sq(sine));
-      return add({T(stone_.sphere_radius * normal.x()), T(stone_.sphere_radius * normal.y()), T(sign * height)},
+      return add(formula::support_point(stone_.sphere_radius, normal, T(sign * height)),
                  {normal.x(), normal.y(), T(sign * normal.z())});
     };
     std::uint32_t inner = vertex(T(1), T(0), T(0), T(1));  // where ring k begins
@@ -293,7 +293,8 @@ template <Ordered T>
 ///
 /// Domain  a stone of `make_stone`; 1 <= n, N <= 1024, n <= N by subdivision, 1 <= m <= 1024 of a bevelled stone and 0 of
 ///         a sharp one; else InvalidArgument.
-/// Error   points within 2e-15 of the width from the surface, normals 1e-15 (MESH-1). How far the triangles are: `deviation`.
+/// Error   points within 2e-15 of the width from the surface, and no farther from the plane across their normal that
+///         touches the stone (MESH-1). How far the triangles are: `deviation`.
 template <Ordered T>
 [[nodiscard]] Mesh<T> tessellate(const Stone<T>& stone, Tessellation method, const Fineness& fineness) {
   require(T(0) < stone.height, "stone", stone.height, "must be one of make_stone (its height is shown)");
@@ -302,8 +303,9 @@ template <Ordered T>
   require(least <= fineness.segments && fineness.segments <= most_rings, "segments", fineness.segments, "must be ",
           least, " … ", most_rings);
   const bool sharp = !(T(0) < stone.bevel);
-  require(sharp ? fineness.rows == 0 : 1 <= fineness.rows && fineness.rows <= most_rings, "rows", fineness.rows,
-          sharp ? "must be 0 of a sharp stone" : "must be 1 … 1024 of a bevelled stone");
+  const int fewest = sharp ? 0 : 1, most = sharp ? 0 : most_rings;
+  require(fewest <= fineness.rows && fineness.rows <= most, "rows", fineness.rows, "must be ", fewest, " … ", most,
+          sharp ? " of a sharp stone" : " of a bevelled stone");
   return detail::Tessellator<T>(stone, method, fineness)();
 }
 

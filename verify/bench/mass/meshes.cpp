@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <goishi/mass/inertia.hpp>
 #include <goishi/mesh/deviation.hpp>
@@ -88,13 +89,7 @@ Race prepare_tessellation(const Effort& /*any*/) {
     return std::vector<double>{deviation(meshes.front(), stone()), static_cast<double>(meshes.front().triangles.size()),
                                static_cast<double>(meshes.front().points.size())};
   };
-  const auto level = [](int n) {
-    int result = 0;
-    while (1 << result < n) {
-      ++result;
-    }
-    return result;
-  };
+  const auto level = [](int n) { return std::countr_zero(static_cast<unsigned int>(n)); };
   const auto made = [level](Tessellation method) {
     return [=](int n) { return tessellate(stone(), method, level(n)); };
   };
