@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <random>
 
 #include "tests/expectations.hpp"
 #include "tests/thrown.hpp"
@@ -99,6 +101,37 @@ TEST(DropLimits, NothingThatNeverEndsIsFollowedWithoutEnd) {
   EXPECT_EQ(drop.status, DropStatus::too_many_steps);
   EXPECT_GE(drop.counters.work(), 20000);
   EXPECT_LE(drop.counters.work(), 21000);
+}
+
+/// Whatever is done to a stone at rest, and under whatever friction: what a call computes beyond its budget is one stretch's.
+TEST(DropLimits, APushOfAnySizeKeepsToTheBudget) {
+  constexpr int budget = 500;
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  int pushed = 0;
+  long long most = 0;
+  for (int i = 0; i < 2000; ++i) {
+    Thrown stone;
+    const double frictions[] = {0.0, 1e-100, 0.3, 3.0, 1e100, infinity}, lengths[] = {0.0, 1e-100, 1e-10, 1e-4, 1e-2};
+    stone.settings.friction_model = static_cast<FrictionModel>(random() % 3);
+    stone.settings.friction = frictions[random() % 6];
+    stone.settings.rolling_resistance = lengths[random() % 5];
+    stone.settings.pivot_radius = lengths[random() % 5];
+    stone.start.p_WB.z() = 0.0046;
+    Drop<double> drop(stone.stone, stone.body, stone.start, stone.settings);
+    static_cast<void>(drop.advance_to_rest({}, budget));
+    const Vec3<double> at(0.01 * unit(random), 0.01 * unit(random), 0.0092 * (0.5 + unit(random) / 2.0));
+    const Vec3<double> push =
+        std::pow(10.0, 70.0 * unit(random)) * Vec3<double>(unit(random), unit(random), unit(random));
+    drop.apply_impulse(at, push);
+    const long long before = drop.counters().work();
+    static_cast<void>(drop.advance_to_rest({}, budget));
+    const long long done = drop.counters().work() - before;
+    pushed += 0 < done ? 1 : 0;
+    most = std::max(most, done);
+  }
+  EXPECT_LT(800, pushed);
+  EXPECT_LT(most, budget + 100);
 }
 
 // --- resistance

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <goishi/drop/drop.hpp>
@@ -39,7 +40,8 @@ class Dice {
   std::mt19937_64 random_;
 };
 
-Contact draw(Dice& dice, double friction, FrictionModel model) {
+/// Turning and slip are `further` decades smaller and greater than usual, at most.
+Contact draw(Dice& dice, double friction, FrictionModel model, double further = 0.0) {
   const double w = 0.022, h = w * (dice.of(2) == 0 ? dice.decades(-3.0, -0.5) : dice.uniform(0.2, 1.0));
   Contact contact;
   contact.stone = make_stone(w, h, h * dice.uniform(0.05, 0.9));
@@ -57,7 +59,7 @@ Contact draw(Dice& dice, double friction, FrictionModel model) {
   contact.body = contact_body(contact.stone, per_mass, settings, settings.gravity.norm());
   Variables<double> y = {};
   const Vec3<double> u = dice.vector().normalized();
-  const double turning = dice.of(3) == 0 ? 0.0 : dice.decades(-12.0, 1.0) * contact.body.frequency;
+  const double turning = dice.of(3) == 0 ? 0.0 : dice.decades(-12.0 - further, 1.0 + further) * contact.body.frequency;
   const Vec3<double> L = turning / contact.body.mobility.transverse * dice.vector();
   for (std::size_t i = 0; i < 3; ++i) {
     y[at::u + i] = u[static_cast<Eigen::Index>(i)];
@@ -71,7 +73,7 @@ Contact draw(Dice& dice, double friction, FrictionModel model) {
                                        : Feature::upper_cap,
                          y);
   if (dice.of(3) != 0) {
-    const double slip = dice.decades(-12.0, 0.0), direction = dice.uniform(-3.2, 3.2);
+    const double slip = dice.decades(-12.0 - further, further), direction = dice.uniform(-3.2, 3.2);
     contact.s_x = slip * std::cos(direction);
     contact.s_y = slip * std::sin(direction);
   }
@@ -187,6 +189,31 @@ TEST(DropOnset, ObeysTheLaws) {
   EXPECT_GT(samples * 19 / 20, turns);
   EXPECT_LT(10, opens);
   EXPECT_LT(samples / 100, jams);
+}
+
+/// What begins is looked for on the motion's own scale, however great or small that is.
+TEST(DropOnset, IsFoundInFewEvaluationsAtAnyScale) {
+  Dice dice(3);
+  int most = 0, closed = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const auto model = static_cast<FrictionModel>(dice.of(3));
+    const double friction = dice.of(10) == 0 ? infinity : dice.decades(-60.0, 60.0);
+    const Contact contact = draw(dice, friction, model, 60.0);
+    OnsetSolver<double> solver(contact.body, contact.now, contact.s_x, contact.s_y, contact.h);
+    const Onset<double> next = solver();
+    SCOPED_TRACE(i);
+    most = std::max(most, solver.evaluations());
+    closed += next.closed ? 1 : 0;
+    EXPECT_TRUE(next.closed || contact.now.need.z() <= 0.0);
+    if (model == FrictionModel::dry) {
+      expect_laws(contact, next);
+    }
+    if (testing::Test::HasFailure()) {
+      return;
+    }
+  }
+  EXPECT_LT(most, 4000);
+  EXPECT_LT(1000, closed);
 }
 
 }  // namespace

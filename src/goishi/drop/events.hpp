@@ -85,17 +85,17 @@ enum class DropStatus {
 /// What was computed, so that it can be seen what was not.
 struct DropCounters {
   int impacts = 0;
-  int root_steps = 0;           // of the searches for an impact
+  int root_steps = 0;           // of the searches for an impact, and of laws of impact that go step by step
   int separations = 0;          // normals those searches needed
   int contact_evaluations = 0;  // of the equations of the contact phase
   int steps_accepted = 0;
   int steps_rejected = 0;       // by the error control
-  int evaluations_located = 0;  // along a step, to find the event in it
+  int evaluations_located = 0;  // along a step, to find the event in it, and there to find what begins
   int edge_impacts = 0;         // micro-impacts of the scheme of lower order
   int events = 0;
 
   /// All that is repeated, which `DropSettings::maximum_steps` bounds: a step of a search for an impact, and an evaluation
-  /// in one for an event, cost about a tenth of a step of the contact phase, and count so.
+  /// in one for an event or for what begins at it, cost about a tenth of a step of the contact phase, and count so.
   [[nodiscard]] constexpr long long work() const {
     return 0LL + (root_steps + separations + evaluations_located) / 10 + steps_accepted + steps_rejected + edge_impacts;
   }

@@ -201,7 +201,7 @@ class ContactPhase {
   [[nodiscard]] bool begins_slip(Run<T>& run) {
     const Vec3<T>& force = integrate_.force();
     T phi = scalar::atan2(T(-force.y()), T(-force.x()));
-    if (!outgoing(run.contact_body, integrate_.now(), phi)) {
+    if (!outgoing(run.contact_body, integrate_.now(), phi, run.counters)) {
       return false;
     }
     contact_.mode = ContactMode::sliding;
@@ -217,11 +217,13 @@ class ContactPhase {
 
   /// From a first guess: the direction in which a slip that begins goes on, its rate pointing along it. False where no
   /// direction is such a one.
-  [[nodiscard]] static bool outgoing(const ContactBody<T>& body, const Kinetics<T>& now, T& phi) {
+  [[nodiscard]] static bool outgoing(const ContactBody<T>& body, const Kinetics<T>& now, T& phi,
+                                     DropCounters& counters) {
     constexpr int directions = 64;
     for (int i = 0; i < directions; ++i) {
       T found = phi + T(2 * i) / T(directions) * scalar::pi<T>();
-      refine(body, now, found);
+      refine(body, now, found, counters);
+      ++counters.evaluations_located;
       const SlipRate<T> rate = slip_towards(body, now, found);
       // At the cone's edge the slip has no rate yet, but for round-off.
       const T nothing = T(1e-6) * body.strength;
@@ -235,8 +237,9 @@ class ContactPhase {
   }
 
   /// Newton towards a stable zero of σ φ̇.
-  static void refine(const ContactBody<T>& body, const Kinetics<T>& now, T& phi) {
+  static void refine(const ContactBody<T>& body, const Kinetics<T>& now, T& phi, DropCounters& counters) {
     for (int i = 0; i < 50; ++i) {
+      ++counters.evaluations_located;
       const SlipRate<T> rate = slip_towards(body, now, phi);
       if (!(rate.across_slope < T(0))) {
         break;
@@ -262,7 +265,7 @@ class ContactPhase {
       contact_.note(run, EventKind::stick);
       return true;
     }
-    if (!outgoing(run.contact_body, rolling.now, phi)) {
+    if (!outgoing(run.contact_body, rolling.now, phi, run.counters)) {
       return false;
     }
     contact_.y[at::direction] = phi;
@@ -292,7 +295,9 @@ class ContactPhase {
     T h = onset_time(body, now, slip[0], slip[1]);
     while (true) {
       ++run.counters.steps_accepted;
-      next_ = OnsetSolver<T>(body, now, slip[0], slip[1], h)();
+      OnsetSolver<T> solver(body, now, slip[0], slip[1], h);
+      next_ = solver();
+      run.counters.evaluations_located += solver.evaluations();
       if (!body.resists || !next_.closed || !next_.turns ||
           contact_.turns(run, formula::turning(body.mobility, now.u, next_.L)) || !(T(8) * h < most)) {
         break;
@@ -406,7 +411,9 @@ class ContactPhase {
     }
     contact_.set_slip(run.contact_body, contact_.y[at::slip], contact_.y[at::direction]);
     task_ = Task::begin;
-    if (locked_->end() == LockedEnd::support) {
+    if (locked_->end() == LockedEnd::fails) {
+      leave(ContactEnd::stuck);
+    } else if (locked_->end() == LockedEnd::support) {
       leave(beyond_support());
     } else if (locked_->end() == LockedEnd::stopped) {
       if (is_held_here(run)) {

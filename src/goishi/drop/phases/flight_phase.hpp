@@ -224,6 +224,7 @@ class FlightPhase {
     const ImpactLaw law = kind == EventKind::contact ? ImpactLaw::chatterjee_ruina : run.settings.law;
     const Impact<T> impact =
         resolve(law, Material<T>{restitution, material_.friction}, contact.p_stone, contact.n_W, impact_body(run));
+    run.counters.root_steps += impact.impulse.rounds;
     const State<T> before = run.state;
     run.state.v_WB = impact.body.v_WB;
     run.state.L_W = impact.body.L_W;

@@ -11,7 +11,7 @@
 namespace goishi::detail {
 
 /// What follows a stretch of it.
-enum class LockedEnd { none, stopped, support, unlocked };
+enum class LockedEnd { none, stopped, support, unlocked, fails };
 
 template <Ordered T>
 class LockedSlide {
@@ -45,10 +45,7 @@ class LockedSlide {
       return stop(along, speed);
     }
     if (!(resistance_share(body_, at_, force(y_)) < T(1))) {
-      end_ = LockedEnd::unlocked;
-      along = {};
-      along.c[0] = y_;
-      return T(0);
+      return ends_here(LockedEnd::unlocked, along);
     }
     const T longest = T(100) * length_ / speed_;
     T h = longest < step_ ? longest : step_;
@@ -59,6 +56,7 @@ class LockedSlide {
       h = T(0.9) * scalar::sq(speed) / braking;
     }
     end_ = LockedEnd::none;
+    const T shortest = T(1e3) * std::numeric_limits<T>::epsilon() * length_ / speed_;
     while (true) {
       Trial<T, 4> trial;
       const bool possible = step(y_, rate_, h, trial);
@@ -66,9 +64,11 @@ class LockedSlide {
                                     size_of(trial.error[2], trial.error[3]) / speed_) /
                                    tolerance_)
                                : T(0);
-      const bool shortest = !(T(1e3) * std::numeric_limits<T>::epsilon() * length_ / speed_ < h);
-      if (!possible || (!(error <= T(1)) && !shortest)) {
+      if (!possible || (!(error <= T(1)) && shortest < h)) {
         ++counters.steps_rejected;
+        if (!(T(1e-3) * shortest < h)) {
+          return ends_here(LockedEnd::fails, along);
+        }
         h = h * (possible ? step_factor(error, 4) : T(1) / T(5));
         step_ = h;
         continue;
@@ -80,6 +80,7 @@ class LockedSlide {
       rate_ = trial.rate;
       if (!(T(0) < inside(y_[0], y_[1]))) {
         end_ = LockedEnd::support;
+        counters.evaluations_located += std::numeric_limits<T>::digits;
         const T share = crossing(along, inside);
         along = along.cut(share);
         y_ = along(T(1));
@@ -94,6 +95,13 @@ class LockedSlide {
 
  private:
   [[nodiscard]] static T size_of(const T& x, const T& y) { return scalar::sqrt(T(scalar::sq(x) + scalar::sq(y))); }
+
+  [[nodiscard]] T ends_here(LockedEnd end, Interpolant<T, 4>& along) {
+    end_ = end;
+    along = {};
+    along.c[0] = y_;
+    return T(0);
+  }
 
   /// The last of the slip, which the present friction brakes: v²/2 over its rate.
   [[nodiscard]] T stop(Interpolant<T, 4>& along, const T& speed) {

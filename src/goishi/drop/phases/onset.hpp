@@ -69,6 +69,9 @@ class OnsetSolver {
     }
   }
 
+  /// How often its equations were solved.
+  [[nodiscard]] int evaluations() const { return evaluations_; }
+
   [[nodiscard]] Onset<T> operator()() {
     if (body_.model != FrictionModel::coulomb_contensou) {
       return balanced();
@@ -134,16 +137,36 @@ class OnsetSolver {
     T slip = T(0), turning = T(0);  // λ
   };
 
-  [[nodiscard]] T size_of(const Vector& x, std::size_t from, std::size_t to) const {
+  /// |x| of a part of x, and x over it. Of numbers of any size: no square leaves the range of T.
+  struct Part {
+    T size = T(0);
+    Vector x = {};
+  };
+  [[nodiscard]] static Part part_of(const Vector& x, std::size_t from, std::size_t to) {
+    Part part;
+    T largest(0);
+    for (std::size_t i = from; i < to; ++i) {
+      largest = at_least(x[i] < T(0) ? T(-x[i]) : x[i], largest);
+    }
+    if (!(T(0) < largest)) {
+      return part;
+    }
     T sum(0);
     for (std::size_t i = from; i < to; ++i) {
-      sum = sum + scalar::sq(x[i]);
+      part.x[i] = x[i] / largest;
+      sum = sum + scalar::sq(part.x[i]);
     }
-    return scalar::sqrt(sum);
+    const T size = scalar::sqrt(sum);
+    for (std::size_t i = from; i < to; ++i) {
+      part.x[i] = part.x[i] / size;
+    }
+    part.size = largest * size;
+    return part;
   }
 
   /// x of (A + diag λ) x = −b.
   void solve(const Vector& b, Shares& at) {
+    ++evaluations_;
     typename Cholesky<T, most>::Matrix M = A_;
     for (std::size_t i = 0; i < used_; ++i) {
       M[i][i] = M[i][i] + (i < forces_ ? at.slip : at.turning);
@@ -153,31 +176,28 @@ class OnsetSolver {
     factors_.solve(at.x);
   }
 
-  /// x_iᵀ M⁻¹ x_j for the parts of x that are friction and resistance: what λ_j changes of |x_i|²/2.
+  /// x̂_iᵀ M⁻¹ x̂_j of the parts of x that are friction and resistance, each over its size: λ_j takes |x_i| down by as much of
+  /// it.
   struct Slopes {
+    T slip_size = T(0), turning_size = T(0);
     T slip = T(0), both = T(0), turning = T(0);
   };
   [[nodiscard]] Slopes slopes(const Shares& at) const {
-    Vector slip = {}, turning = {};
+    const Part slip = part_of(at.x, 0, forces_), turning = part_of(at.x, forces_, used_);
+    Vector by_slip = slip.x, by_turning = turning.x;
+    factors_.solve(by_slip);
+    factors_.solve(by_turning);
+    Slopes result{.slip_size = slip.size, .turning_size = turning.size};
     for (std::size_t i = 0; i < used_; ++i) {
-      (i < forces_ ? slip : turning)[i] = at.x[i];
-    }
-    factors_.solve(slip);
-    factors_.solve(turning);
-    Slopes result;
-    for (std::size_t i = 0; i < used_; ++i) {
-      if (i < forces_) {
-        result.slip = result.slip + at.x[i] * slip[i];
-      } else {
-        result.both = result.both + at.x[i] * slip[i];
-        result.turning = result.turning + at.x[i] * turning[i];
-      }
+      result.slip = result.slip + slip.x[i] * by_slip[i];
+      result.both = result.both + turning.x[i] * by_slip[i];
+      result.turning = result.turning + turning.x[i] * by_turning[i];
     }
     return result;
   }
 
   /// λ >= 0 at which a size that falls with it is 1, or 0 where it is less there: Newton's method for its inverse, which is
-  /// all but linear, kept between what is too little and too much. `size(λ)` also gives −d(size²/2)/dλ.
+  /// all but linear, kept between what is too little and too much. `size(λ)` also gives the share of it that λ takes.
   template <class Size>
   void find(T& lambda, Size&& size) {
     constexpr int most_steps = 60;
@@ -186,13 +206,16 @@ class OnsetSolver {
     T low(0), high = std::numeric_limits<T>::infinity();
     for (int i = 0; i < most_steps; ++i) {
       T slope(0);
-      const T x = size(slope);
-      const T over = x - T(1);
+      const T over = size(slope) - T(1);
       if ((i == 0 && !(T(0) < over)) || (-exact < over && over < exact)) {
         return;
       }
+      if (!scalar::is_finite(over)) {
+        solvable_ = false;
+        return;
+      }
       (T(0) < over ? low : high) = lambda;
-      T next = lambda + over * scalar::sq(x) / slope;
+      T next = lambda + over / slope;
       if (!(low < next && next < high)) {
         next = high < std::numeric_limits<T>::infinity() ? T((low + high) / T(2)) : T(T(2) * low + T(1));
       }
@@ -214,8 +237,9 @@ class OnsetSolver {
       if (limited) {
         find(at.slip, [&](T& slope) {
           solve(b, at);
-          slope = slopes(at).slip;
-          return size_of(at.x, 0, forces_);
+          const Slopes by = slopes(at);
+          slope = by.slip;
+          return by.slip_size;
         });
         return;
       }
@@ -231,7 +255,7 @@ class OnsetSolver {
       const Slopes by = slopes(at);
       // Friction that is at its most stays so.
       slope = limited && T(0) < at.slip ? T(by.turning - scalar::sq(by.both) / by.slip) : by.turning;
-      return size_of(at.x, forces_, used_);
+      return by.turning_size;
     });
     return at;
   }
@@ -247,10 +271,13 @@ class OnsetSolver {
     return v;
   }
 
-  /// The least N that leaves the contact point on the plane.
+  /// The least N that leaves the contact point on the plane: looked for from far below what it would take without
+  /// friction, by factors that grow, and by false position (Illinois) once it is known to within one.
   [[nodiscard]] Onset<T> balanced() {
     Shares at;
-    const T first = h_ * body_.strength / (T(64) * now_.W.zz);
+    const T epsilon = std::numeric_limits<T>::epsilon();
+    const T falls = rough_ ? T(scalar::sqrt(formula::dot(c_, c_)) + h_ * body_.strength) : T(-c_.z());
+    const T first = at_least(falls, T(epsilon * h_ * body_.strength)) / (T(64) * now_.W.zz);
     solvable_ = true;
     T sign(1), low(0), low_v = c_.z();
     if (rough_) {
@@ -260,27 +287,31 @@ class OnsetSolver {
     } else if (!(low_v < T(0))) {
       return {};
     }
-    constexpr int most_doublings = 300, most_steps = 100;
+    constexpr int most_factors = 10, most_steps = 100;
     T high = first, high_v = sign * leaving(T(sign * high), at);
-    for (int i = 0; i < most_doublings && high_v < T(0); ++i) {
+    T factor(2);
+    for (int i = 0; i < most_factors && high_v < T(0); ++i) {
       low = high;
       low_v = high_v;
-      high = high + high;
+      high = factor * high;
       high_v = sign * leaving(T(sign * high), at);
+      factor = scalar::sq(factor);
     }
+    const auto round_off = [&](const T& N) { return T(16) * epsilon * (falls + N * now_.W.zz); };
     int last = 0;
-    const T exact = T(16) * std::numeric_limits<T>::epsilon() * (h_ * body_.strength + high * now_.W.zz);
     T left = high_v;
-    for (int i = 0; i < most_steps && exact < left; ++i) {
+    for (int i = 0; i < most_steps && round_off(high) < left; ++i) {
       T middle = (low + high) / T(2);
-      if (low_v < T(0) && i % 4 != 3) {
+      if (T(0) < low && T(8) * low < high) {
+        middle = scalar::sqrt(low) * scalar::sqrt(high);
+      } else if (low_v < T(0) && i % 4 != 3) {
         middle = low + (high - low) * (low_v / (low_v - high_v));
       }
       if (!(low < middle && middle < high)) {
         break;
       }
       const T v = sign * leaving(T(sign * middle), at);
-      if (-exact < v) {
+      if (-round_off(middle) < v) {
         high = middle;
         high_v = left = v;
         low_v = last > 0 ? T(low_v / T(2)) : low_v;  // Illinois
@@ -322,6 +353,7 @@ class OnsetSolver {
   const Kinetics<T>& now_;
   T h_;
   bool smooth_, rough_, solvable_ = true;
+  int evaluations_ = 0;
   T per_slip_ = T(0);  // [s/m] of the smooth laws
   Vec3<T> c_, L_;      // velocity of the contact point and angular momentum, without any force of contact
   Motion normal_;
