@@ -122,6 +122,8 @@ class ContactIntegrator {
     }
     if (is_cut && !(h < cut) && step_ < usual) {
       step_ = usual;
+    } else if (!is_cut) {
+      step_ = slip_left<Equations>(contact.y) * step_;
     }
     ++run.counters.steps_accepted;
     ahead.length = h;
@@ -275,6 +277,17 @@ class ContactIntegrator {
   }
 
   // --- steps
+
+  /// The share that a step leaves of a dry slip that decays: how fast its direction turns, and its error grows, goes by 1 over
+  /// the slip, so that as much of a step's length is left to the next.
+  template <class Equations>
+  [[nodiscard]] T slip_left(const Variables<T>& y) const {
+    if constexpr (Equations::names[3] == Guard::slip) {
+      const T before = y[at::slip], after = trial_.y[at::slip];
+      return T(0) < after && after < before ? T(after / before) : T(1);
+    }
+    return T(1);
+  }
 
   /// A step of at most h that the error control accepts, into `trial_`. False where there is none. (A step that fails is a
   /// tenth shorter at least the next time, so that some 300 tries are the most.)
