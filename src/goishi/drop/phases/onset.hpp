@@ -303,7 +303,7 @@ class OnsetSolver {
     for (int i = 0; i < most_steps && round_off(high) < left; ++i) {
       T middle = (low + high) / T(2);
       if (T(0) < low && T(8) * low < high) {
-        middle = scalar::sqrt(low) * scalar::sqrt(high);
+        middle = low * scalar::sqrt(T(high / low));
       } else if (low_v < T(0) && i % 4 != 3) {
         middle = low + (high - low) * (low_v / (low_v - high_v));
       }
