@@ -88,8 +88,12 @@ void print_list() {
 
 /// Whether the document's tables have the rows that they should.
 bool check_tables(const std::filesystem::path& root) {
-  const std::vector<std::string> found =
-      document_differences(markdown::part_of_file(root / document_name, document_part));
+  std::vector<std::string> found = document_differences(markdown::part_of_file(root / document_name, document_part));
+  if (markdown::part_of_file(root / document_name, history_part) + "\n" !=
+      history_text(history::read(history::recorded()))) {
+    found.push_back(
+        fmt::format("the part '{}' is not what drops.csv says: bench --write-history {}", history_part, root.string()));
+  }
   for (const std::string& difference : found) {
     fmt::print("FAILS  {}: {}\n", document_name, difference);
   }
@@ -148,6 +152,13 @@ CLI::App* define_bench(CLI::App& app, BenchOptions& options) {
                                    document_name))
           ->type_name("DIR");
   bench
+      ->add_option("--write-history", options.write_history,
+                   fmt::format("write what was measured of earlier commits into {} of the source tree in DIR, and "
+                               "measure nothing",
+                               document_name))
+      ->excludes(write)
+      ->type_name("DIR");
+  bench
       ->add_option("--check-tables", options.check_tables,
                    "look whether its rows are of the problems that there are, and measure nothing")
       ->excludes(write)
@@ -169,6 +180,12 @@ bool run_bench_command(const BenchOptions& options) {
   }
   if (!options.check_tables.empty()) {
     return check_tables(options.check_tables);
+  }
+  if (!options.write_history.empty()) {
+    const std::filesystem::path document = std::filesystem::path(options.write_history) / document_name;
+    write_file(document,
+               markdown::file_with_part(document, history_part, history_text(history::read(history::recorded()))));
+    return true;
   }
   require_places(options);
   const bool quick = options.tier == "quick";

@@ -18,6 +18,7 @@ struct BenchOptions {
   std::string markdown_file;
   std::string report_folder;
   std::string write_tables;
+  std::string write_history;
   std::string check_tables;
 };
 

@@ -198,6 +198,9 @@ Section page_section(const Bench& bench) {
   for (const Race& race : bench.races) {
     section.parts.push_back(part_of(race));
   }
+  if (std::ranges::any_of(bench.races, [](const Race& race) { return race.name == "drop-to-rest"; })) {
+    section.parts.push_back(history_section(history::read(history::recorded())));
+  }
   return section;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "verify/bench/history/history.hpp"
 #include "verify/bench/race.hpp"
 #include "verify/report/report.hpp"
 
@@ -39,6 +40,11 @@ inline constexpr const char* document_part = "costs";
 [[nodiscard]] std::string document_text(const Bench& bench);
 /// How what stands there does not fit the problems that there are; times and errors are not looked at.
 [[nodiscard]] std::vector<std::string> document_differences(std::string_view part);
+
+/// What was measured of earlier commits: of the page, and for the document.
+[[nodiscard]] Section history_section(const history::History& all);
+inline constexpr const char* history_part = "history";
+[[nodiscard]] std::string history_text(const history::History& all);
 
 /// One line a point. SI units, times in nanoseconds; `nan` where there was no answer, empty what a race does not have.
 [[nodiscard]] std::string csv_report(const Bench& bench);
