@@ -2,7 +2,7 @@
 // usage: node pack.mjs BUILD_DIR   (which has goishi.mjs, goishi.wasm and node_modules, and gets goishi.html)
 
 import { execFileSync } from "node:child_process";
-import { existsSync, readFileSync, renameSync, symlinkSync, writeFileSync } from "node:fs";
+import { existsSync, readFileSync, readdirSync, renameSync, symlinkSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -23,6 +23,19 @@ const header = readFileSync(join(source, "goishi.h"), "utf8").replace(/\/\/.*$/g
 const constants = [...header.matchAll(/\bGOISHI_([A-Z0-9_]+)\s*(?:=\s*(-?\d+)|\((-[\d.]+)\))/g)];
 writeFileSync(join(build, "constants.ts"),
   constants.map(([, name, value, defined]) => `export const ${name} = ${value ?? defined};\n`).join(""));
+
+// The claims that the page names, from the suite's table.
+const sourceText = readdirSync(join(source, "page"), { recursive: true }).filter((name) => name.endsWith(".ts"))
+  .map((name) => readFileSync(join(source, "page", name), "utf8")).join("");
+const claims = {};
+for (const line of readFileSync(join(source, "../../verify/README.md"), "utf8").split("\n")) {
+  const cells = line.split(/(?<!\\)\|/).map((cell) => cell.trim().replaceAll("\\", ""));
+  const [, id, , witness, check, error, bound] = cells;
+  if (/^[A-Z]+-\d+$/.test(id ?? "") && new RegExp(`"${id}"`).test(sourceText)) claims[id] = { witness, check, error, bound };
+}
+writeFileSync(join(build, "claims.ts"), "export const claims: Record<string, { witness: string; check: string; error: string; bound: string }> = " +
+  `${JSON.stringify(claims, null, 1)};\n`);
+
 writeFileSync(join(build, "goishi.d.mts"), "declare const make: (given: { wasmBinary: Uint8Array }) => Promise<unknown>;\nexport default make;\n");
 
 try {
