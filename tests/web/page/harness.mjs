@@ -113,14 +113,19 @@ export async function framesIn(page, time) {
 export const shown = (page, id) => page.evaluate((section) => Object.fromEntries(
   [...document.querySelectorAll(`[data-section=${section}] [data-name][data-value]`)].map((one) => [one.dataset.name, one.dataset.value])), id);
 
-/** All that a section shows, as one text that changes with it: numbers and the pixels of pictures and graphs. */
-export async function fingerprint(page, id) {
+/** Numbers and graphs of a section, as one text that changes with them. */
+export async function numbersAndGraphs(page, id) {
   await settle(page);
-  const hash = createHash("sha256");
-  const values = await page.evaluate((section) => [...document.querySelectorAll(`[data-section=${section}] [data-name][data-value]:not(input, fieldset)`)]
-    .map((one) => `${one.dataset.name}=${one.dataset.value}`), id);
-  hash.update(values.join());
-  for (const picture of await page.locator(`[data-section=${id}] :is(.frame, .plots):visible`).all()) hash.update(await picture.screenshot());
+  return page.evaluate((section) => [
+    ...[...document.querySelectorAll(`[data-section=${section}] [data-name][data-value]:not(input, fieldset)`)].map((one) => `${one.dataset.name}=${one.dataset.value}`),
+    ...[...document.querySelectorAll(`[data-section=${section}] .plot canvas`)].filter((one) => one.checkVisibility()).map((one) => one.toDataURL()),
+  ].join(), id);
+}
+
+/** And its pictures. */
+export async function fingerprint(page, id) {
+  const hash = createHash("sha256").update(await numbersAndGraphs(page, id));
+  for (const picture of await page.locator(`[data-section=${id}] .frame:visible`).all()) hash.update(await picture.screenshot());
   return hash.digest("hex");
 }
 

@@ -24,15 +24,15 @@ const starts: Record<string, { label: string; says: string; speed?: number; jell
   dropped: { label: "dropped", start: {},
     says: "Let go from 30 mm, leaning and turning a little: it bounces, turns over, and wobbles to rest on its other side." },
   rocking: { label: "rocking", speed: 5, start: { height: 0, tilt: 12, spin: 0, rolling: 0.02 },
-    says: "Laid down leaning and let go: it rocks, the lower the quicker lost, until rolling resistance holds it." },
+    says: "Laid down leaning and let go: it rocks, each swing a little lower, until rolling resistance holds it." },
   edge: { label: "rolled on its edge", start: { height: 0, tilt: 80, spin: 34, speed: 0.32, place: -100 },
     says: "Rolled like a coin: it circles, sinks, and rattles ever faster round its rim." },
   rises: { label: "spun: it rises", speed: 5, jellett: true,
     start: { height: 0, tilt: 0.5, spin: 60, bevel: 0, law: "slip", rolling: 0, pivot: 0, horizon: 4 },
-    says: "Spun flat at 60 rad/s, where friction is in proportion to slip: the flat spin is unstable, the stone rises like a tippe top and settles near 36°, as Jellett’s integral says." },
+    says: "Under friction in proportion to slip a flat spin of 60 rad/s is unstable: the stone rises, and settles near 36°, as Jellett’s integral says." },
   dry: { label: "the same, dry friction", speed: 5, jellett: true,
     start: { height: 0, tilt: 0.5, spin: 60, bevel: 0, law: "dry", rolling: 0, pivot: 0, horizon: 4 },
-    says: "The same spin with dry friction: what little slip there is soon turns into rolling, which takes no energy, so nothing drives the stone up. It stays low." },
+    says: "The same spin under dry friction: what little slip there is soon turns into rolling, which takes no energy, so nothing drives the stone up." },
   over: { label: "over the edge", start: { place: 200, height: 12, tilt: 20, speed: 0.5, spin: 0 },
     says: "Thrown near the edge of the board: it goes over, falls past the side, and comes to rest on the floor." },
 };
@@ -56,7 +56,8 @@ export const drop: Section = {
     const shape = new StoneShape(goishi, stone), shadow = new ShadowShape(0, wood.half), below = new ShadowShape(1e3 * floorOf(board)), track = new TrailShape("#0b5c53");
     const ghost = new GhostShape(goishi, stone, "published"), arrow = new ArrowShape("impulse", { through: true, thick: 0.55 });
     const starter = el("fieldset", "pills starts");
-    wide.append(starter);
+    const says = el("p", "remark says", { "aria-live": "polite" });
+    wide.append(starter, says);
     const figure = stage.figure(wide, {
       label: "A Go stone over a board.", still, view: { target: [0, 0, 4], azimuth: -1.05, elevation: 0.42, distance: 190 },
       elevations: [0.06, 1.5], grip,
@@ -100,8 +101,8 @@ export const drop: Section = {
     const c = {
       height: number(left, "height", "height", "mm", 0, 150, 1, 30),
       tilt: number(left, "tilt", "tilt", "°", 0, 180, 1, 25),
-      spin: number(left, "spin", "spin, its axis", "rad/s", -120, 120, 1, 12),
-      tumble: number(left, "tumble", "spin, across", "rad/s", -120, 120, 1, 0),
+      spin: number(left, "spin", "spin about its axis", "rad/s", -120, 120, 1, 12),
+      tumble: number(left, "tumble", "spin across it", "rad/s", -120, 120, 1, 0),
       speed: number(left, "speed", "speed along", "m/s", -1, 1, 0.01, 0),
       place: number(left, "place", "from the middle", "mm", -230, 230, 1, 0),
       restitution: number(right, "e", "restitution", "", 0, 1, 0.01, 0.5),
@@ -124,12 +125,12 @@ export const drop: Section = {
     const controls: Control[] = [...Object.values(c), law, shell, compare, integral];
 
     // --- words below
-    const about = el("p", "remark"), says = el("p", "remark", { "aria-live": "polite" }), refused = el("p", "rule", { role: "alert" });
+    const about = el("p", "remark"), refused = el("p", "rule", { role: "alert" });
     const impacts = new Shown("impacts"), events = new Shown("events"), ended = new Shown("end"), evaluations = new Shown("evaluations");
     const took = el("span"), how = el("span");
     about.append("Computed in ", took, ": ", impacts.element, ", ", events.element, ", ", evaluations.element, "; ", how, " ", ended.element, ".");
     wide.append(refused);
-    text.append(says, about);
+    text.append(about);
     let table: { fill(): void } | null = null;
     fold(text, "Every event", (body) => {
       table = eventTable(body, () => run, (time) => transport.seek(time));
