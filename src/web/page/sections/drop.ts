@@ -92,7 +92,6 @@ export const drop: Section = {
     // --- controls
     const [left, right] = panel(wide, "The start", "Stone and wood") as [HTMLElement, HTMLElement];
     const changed = () => {
-      chosen = null;
       mark();
       again();
     };
@@ -152,7 +151,6 @@ export const drop: Section = {
 
     // --- what it is about
     let run: Run | null = null, loop: Loop | null = null, said: Said[] = [], greatest = 1, started = false;
-    let chosen: string | null = "dropped";
 
     const values = (): Start => ({
       shell: shell.value, bevel: c.bevel.value, height: c.height.value, tilt: c.tilt.value, spin: c.spin.value, tumble: c.tumble.value,
@@ -168,7 +166,14 @@ export const drop: Section = {
       inputs.set(name, input);
       starter.append(el("label", "pill", {}, input, label));
     }
+    /** The ready-made start that the controls have now. */
+    function matching(): string | null {
+      const same = ({ start }: { start: Partial<Start> }) => law.value === (start.law ?? "dry") &&
+        Object.entries(c).every(([key, control]) => control.value === (start[key as keyof typeof c] ?? control.first));
+      return Object.keys(starts).find((name) => same(starts[name]!)) ?? null;
+    }
     function mark(): void {
+      const chosen = matching();
       for (const [name, input] of inputs) input.checked = name === chosen;
       says.textContent = chosen ? starts[chosen]!.says : "";
     }
@@ -181,7 +186,6 @@ export const drop: Section = {
       }
       integral.value = showing ?? false;
       transport.speed = speed ?? 5;
-      chosen = name;
       mark();
       again();
     }
@@ -359,7 +363,6 @@ export const drop: Section = {
       controls,
       update() {
         if (!compute()) return;
-        chosen = controls.every((control) => control.isDefault || control === compare) ? "dropped" : null;
         mark();
         update_();
         if (!movesByItself()) transport.seek(run!.end);
