@@ -118,9 +118,9 @@ export const drop: Section = {
     const shell = new ChoiceControl(choices, { key: "stone", label: "stone, size 33", value: "white",
       choices: [{ value: "white", label: "shell" }, { value: "black", label: "slate" }] }, changed);
     const compare = new SwitchControl(left, { key: "loop", label: "beside it the talk’s loop, 60 times a second", value: false, token: "published" },
-      () => { show_(); remember(place, controls); });
+      () => { arrange(); remember(place, controls); });
     const integral = new SwitchControl(left, { key: "jellett", label: "Jellett’s integral", value: false, token: "momentum" },
-      () => { show_(); remember(place, controls); });
+      () => { arrange(); remember(place, controls); });
     const controls: Control[] = [...Object.values(c), law, shell, compare, integral];
 
     // --- words below
@@ -227,7 +227,7 @@ export const drop: Section = {
     }
 
     /** Graphs, marks and what stands beside, without a change of time. */
-    function show_(): void {
+    function arrange(): void {
       if (!run) return;
       const { series } = run;
       loop = compare.value ? loop ?? publishedLoop(goishi, run) : null;
@@ -247,17 +247,17 @@ export const drop: Section = {
 
     function again(): void {
       if (!compute()) return;
-      update_();
+      present();
       remember(place, controls);
       if (movesByItself()) transport.restart();
       else transport.seek(run!.end);
     }
 
-    function update_(): void {
+    function present(): void {
       look();
       transport.set(run!.end, run!.events.map((event, i) => ({
         time: event[C.EVENT_TIME]!, token: said[i]!.token, high: said[i]!.high, label: said[i]!.great })));
-      show_();
+      arrange();
     }
 
     /** Frames the whole track. */
@@ -299,9 +299,9 @@ export const drop: Section = {
         arrow.point(vec(event, C.EVENT_POINT).map((value) => 1e3 * value) as [number, number, number],
           impulse.map((value) => scale * value) as [number, number, number]);
       }
-      track.show(lastBefore(run.series.ended, time, (ended_) => ended_) + 1);
-      const over = run.over(motion), lean_ = tiltOf(motion);
-      tilt.set(lean_, `tilt ${fixed(lean_, 1)}°`);
+      track.show(lastBefore(run.series.ended, time, (ends) => ends) + 1);
+      const over = run.over(motion), angle = tiltOf(motion);
+      tilt.set(angle, `tilt ${fixed(angle, 1)}°`);
       where.set(motion[C.POSITION + 2]!, `centre ${fixed(1e3 * motion[C.POSITION + 2]!, 2)} mm high`);
       const touches = over.gap < touching;
       const speed = speedAt(motion, over.point);
@@ -318,7 +318,7 @@ export const drop: Section = {
       }
       for (const plot of [energy, lean, jellett]) plot.now(time);
       if (stopped && words) {
-        figure.label = `A Go stone on a board, after ${fixed(time, 4)} s: ${words.great}; tilt ${fixed(lean_, 1)} degrees, centre ${fixed(1e3 * motion[2]!, 2)} mm high.`;
+        figure.label = `A Go stone on a board, after ${fixed(time, 4)} s: ${words.great}; tilt ${fixed(angle, 1)} degrees, centre ${fixed(1e3 * motion[2]!, 2)} mm high.`;
       }
       figure.invalidate();
     }
@@ -364,7 +364,7 @@ export const drop: Section = {
       update() {
         if (!compute()) return;
         mark();
-        update_();
+        present();
         if (!movesByItself()) transport.seek(run!.end);
         else if (started) transport.restart();
       },
