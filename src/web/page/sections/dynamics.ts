@@ -22,6 +22,7 @@ const long = { omega: 25, momentum: 29 };    // [mm] of the arrows at the start
 const ground = -20;                          // [mm] where the shadow falls
 const flashes = { rotation: 0.1, throw: 9 }; // of the strobe: seconds between two, and how many in a throw
 const parts = 120;                           // of the exact path of ω, and of the ways
+const same = 0.2;                            // [mm] Arrows as near are one
 const reach = 3;                             // [mm] from the arrow, to seize it
 const slow = 10;                             // times, at first, of a throw
 
@@ -206,10 +207,14 @@ export const dynamics: Section = {
 
       const at = (of: Numbers) => vec(of, C.POSITION).map((value) => 1e3 * value) as unknown as Vec;
       const along = (of: Numbers, from: number, by: number) => vec(of, from).map((value) => (turns && Number.isFinite(by) ? by * value : 0)) as unknown as Vec;
+      // Two arrows at one place would flicker: the loop's L hides in the exact one, the exact ω in the loop's.
       arrows.momentum.point(at(exact), along(exact, C.MOMENTUM, scale.momentum));
       arrows.momentumLoop.point(at(motion), along(motion, C.MOMENTUM, scale.momentum));
       arrows.omega.point(at(exact), along(exact, C.ANGULAR_VELOCITY, scale.omega));
       arrows.omegaLoop.point(at(motion), along(motion, C.ANGULAR_VELOCITY, scale.omega));
+      const apart_ = Math.hypot(...at(exact).map((value, k) => value - at(motion)[k]!));
+      arrows.momentumLoop.visible &&= apart_ + arrows.momentum.tip.distanceTo(arrows.momentumLoop.tip) > same;
+      arrows.omega.visible &&= apart_ + arrows.omega.tip.distanceTo(arrows.omegaLoop.tip) > same;
       trails.omega.position.set(...at(exact));
       for (const trail of [trails.omegaLoop, trails.momentumLoop]) {
         trail.position.set(...at(motion));
