@@ -137,8 +137,8 @@ export const dynamics: Section = {
       }
       graph(flight);
       const { turns, flies } = flight;
-      if (!held) scale = { omega: long.omega / length(flight, C.ANGULAR_VELOCITY), momentum: long.momentum / length(flight, C.MOMENTUM) };
-      const scaled = (points: number[], by: number) => (turns && Number.isFinite(by) ? points.map((value) => by * value) : []);
+      if (!held) scale = { omega: long.omega / (length(flight, C.ANGULAR_VELOCITY) || 8), momentum: long.momentum / (length(flight, C.MOMENTUM) || 1) };
+      const scaled = (points: number[], by: number) => (turns ? points.map((value) => by * value) : []);
       const first = flight.round(parts);
       round = first.period;
       trails.omega.through(scaled(first.points, scale.omega));
@@ -206,7 +206,7 @@ export const dynamics: Section = {
       spirits.show(before, C.EXACTLY);
 
       const at = (of: Numbers) => vec(of, C.POSITION).map((value) => 1e3 * value) as unknown as Vec;
-      const along = (of: Numbers, from: number, by: number) => vec(of, from).map((value) => (turns && Number.isFinite(by) ? by * value : 0)) as unknown as Vec;
+      const along = (of: Numbers, from: number, by: number) => vec(of, from).map((value) => (turns ? by * value : 0)) as unknown as Vec;
       // Two arrows at one place would flicker: the loop's L hides in the exact one, the exact ω in the loop's.
       arrows.momentum.point(at(exact), along(exact, C.MOMENTUM, scale.momentum));
       arrows.momentumLoop.point(at(motion), along(motion, C.MOMENTUM, scale.momentum));
