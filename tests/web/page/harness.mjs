@@ -77,11 +77,11 @@ export class Browser {
   /** How long it takes until the page is there   [ms]: by the clock, and of the main thread's processor time. */
   async readyAfter() {
     const context = await this.#browser.newContext();
-    const page = await context.newPage(), session = await context.newCDPSession(page);
-    await session.send("Performance.enable", { timeDomain: "threadTicks" });
+    const page = await context.newPage(), devtools = await context.newCDPSession(page);
+    await devtools.send("Performance.enable", { timeDomain: "threadTicks" });
     await page.goto(this.#file);
     await page.waitForSelector("html[data-ready]");
-    const { metrics } = await session.send("Performance.getMetrics");
+    const { metrics } = await devtools.send("Performance.getMetrics");
     const wall = await page.evaluate(() => Number(document.documentElement.dataset.ready));
     await context.close();
     return { wall, work: 1000 * metrics.find(({ name }) => name === "TaskDuration").value };
@@ -96,8 +96,8 @@ export class Browser {
 export async function settle(page) {
   for (let still = 0, last = -1, tries = 0; still < 3 && tries < 60; ++tries) {
     await page.waitForTimeout(120);
-    const now = await page.evaluate(() => globalThis.frames_);
-    still = now === last ? still + 1 : 0;
+    const [now, rests] = await page.evaluate(() => [globalThis.frames_, globalThis.goishiStage?.atRest ?? true]);
+    still = rests && now === last ? still + 1 : 0;
     last = now;
   }
 }
