@@ -1,7 +1,7 @@
 /** 4 Dynamics. */
 import { Plane, Quaternion, Vector3, type Raycaster } from "three";
 import { ChoiceControl, NumberControl, panel, type Control } from "../controls";
-import { C, Refused, vec, type Numbers, type Vec } from "../core";
+import { C, Refused, rowsOf, vec, type Numbers, type Vec } from "../core";
 import { el, html } from "../dom";
 import { evidence } from "../evidence";
 import { movesByItself, onTheme, type Token } from "../look";
@@ -120,7 +120,7 @@ export const dynamics: Section = {
 
     // --- what it is about
     let flight: Flight | null = null, round = 1, scale = { omega: 0, momentum: 0 };
-    let started = false, held = false;
+    let started = false, held = false, drawn = NaN;
 
     const values = (): Launch => ({ moves: moves.value, method: loop.value, step: c.step.value, about: c.about.value,
       across: c.across.value, up: c.up.value });
@@ -167,10 +167,11 @@ export const dynamics: Section = {
       off.element.hidden = !flies;
     }
 
-    /** The picture's middle and distance for what moves. */
+    /** The picture's middle and distance for what moves: a throw is seen whole. */
     function frame(): void {
+      const ways = flight?.flies ? [flight.exact, flight.stepped].flatMap((of) => rowsOf(Float64Array.from(flight!.way(12, of)), 3)) : [];
       const apex = flight?.flies ? (500 * c.up.value * flight.end) / 2 : 0;
-      figure.frame({ target: [3, 2, 7 + 0.4 * apex], distance: 132 + 2.9 * apex });
+      figure.frame({ target: [3, 2, 7 + 0.4 * apex], distance: 132 }, ways.map((point) => vec(point, 0).map((value) => 1e3 * value) as unknown as Vec));
     }
 
     /** Another flight; `anew` from its start. */
@@ -237,7 +238,8 @@ export const dynamics: Section = {
         figure.label = `A Go stone in free flight after ${fixed(moment, 3)} s, by ${methods[loop.value].label}, and its exact motion as a ghost: ` +
           `${turns ? `${small(turn)} rad` : ""}${turns && flies ? " and " : ""}${flies ? `${small(1e3 * far)} mm` : ""} apart.`;
       }
-      figure.invalidate();
+      if (stopped || moment !== drawn) figure.invalidate(); // between two flashes nothing moves
+      drawn = moment;
     }
 
     /** The tip of ω is a control, and so is the stone: it draws ω, or the throw, with it. */
