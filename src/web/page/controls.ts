@@ -92,6 +92,12 @@ export class NumberControl implements Control {
     return this.#o.value;
   }
 
+  /** To the one of its slider's values that is nearest, without a call: for what a hand draws. */
+  approach(value: number): void {
+    const { least, greatest } = this.#o;
+    this.value = this.#at(Math.min(1, Math.max(0, (value - least) / (greatest - least))));
+  }
+
   get text(): string {
     return String(this.#value);
   }

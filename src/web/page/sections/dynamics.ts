@@ -169,9 +169,10 @@ export const dynamics: Section = {
 
     /** The picture's middle and distance for what moves: a throw is seen whole. */
     function frame(): void {
-      const ways = flight?.flies ? [flight.exact, flight.stepped].flatMap((of) => rowsOf(Float64Array.from(flight!.way(12, of)), 3)) : [];
-      const apex = flight?.flies ? (500 * c.up.value * flight.end) / 2 : 0;
-      figure.frame({ target: [3, 2, 7 + 0.4 * apex], distance: 132 }, ways.map((point) => vec(point, 0).map((value) => 1e3 * value) as unknown as Vec));
+      if (!flight) return;
+      const { apex, flies, exact, stepped } = flight;
+      const ways = flies ? [exact, stepped].flatMap((of) => rowsOf(Float64Array.from(flight!.way(12, of)), 3)) : [];
+      figure.frame({ target: [3, 2, 7 + 400 * apex], distance: 132 }, ways.map((point) => vec(point, 0).map((value) => 1e3 * value) as unknown as Vec));
     }
 
     /** Another flight; `anew` from its start. */
@@ -256,17 +257,17 @@ export const dynamics: Section = {
       if (Math.abs(caster.ray.direction.dot(normal)) < 0.2) return null; // on edge: nothing to be drawn in
       const first = caster.ray.intersectPlane(plane, new Vector3());
       if (!first) return null;
-      const from = { about: c.about.value, across: c.across.value, apex: (500 * c.up.value * flight.end) / 2 };
+      const from = { about: c.about.value, across: c.across.value, apex: flight.apex };
       return {
         move(ray: Raycaster["ray"]) {
           const way = ray.intersectPlane(plane, new Vector3())?.sub(first);
           if (!way) return;
           held = true;
           if (spins) {
-            c.about.value = within(from.about + way.dot(about) / scale.omega, -40, 40, 1);
-            c.across.value = within(from.across + way.dot(across) / scale.omega, 0, 40, 1);
+            c.about.approach(from.about + way.dot(about) / scale.omega);
+            c.across.approach(from.across + way.dot(across) / scale.omega);
           } else {
-            c.up.value = within(Math.sqrt(Math.max(0, 2e-3 * -flight!.gravity[2] * (from.apex + way.dot(up)))), 0.4, 2, 2);
+            c.up.approach(Math.sqrt(Math.max(0, -2 * flight!.gravity[2] * (from.apex + 1e-3 * way.dot(up)))));
           }
           if (!compute()) return;
           transport.set(flight!.end);
@@ -314,5 +315,3 @@ const length = (flight: Flight, place: number) => Math.hypot(...vec(flight.row(0
 const later = (list: readonly number[], by: number) => list.map((value, i) => (i === 0 ? NaN : by * value));
 const small = (value: number) => (Math.abs(value) >= 0.0995 ? fixed(value, 2) : value === 0 ? "0" : digits(value, 2));
 const percent = (value: number) => (Number.isFinite(value) ? `${value > 0 ? "+" : ""}${Math.abs(value) < 5e-4 ? small(100 * value) : fixed(100 * value, 1)} %` : "–");
-const within = (value: number, least: number, greatest: number, decimals: number) =>
-  Number(Math.min(greatest, Math.max(least, value)).toFixed(decimals));

@@ -45,6 +45,7 @@ export class Flight {
   readonly gravity: Vec;
   readonly state: Numbers;
   readonly end: number;      // [s]
+  readonly apex: number;     // [m] of a throw, over its start
   readonly step: number;     // [s]
   readonly steps: number;    // until the end
   readonly between: number;  // two points of `tips`, in steps
@@ -62,6 +63,7 @@ export class Flight {
     this.flies = moves !== "rotation";
     this.gravity = vec(goishi.settings(), C.GRAVITY);
     this.end = this.flies ? (2 * up) / -this.gravity[2] : seconds;
+    this.apex = this.flies ? (up * this.end) / 4 : 0;
     const velocity: Vec = this.flies ? [sideways * up, 0, up] : [0, 0, 0];
     this.state = goishi.state(stone, [-velocity[0] * this.end / 2, 0, 0, ...attitude], velocity,
       this.turns ? [launch.across, 0, launch.about] : [0, 0, 0]);
