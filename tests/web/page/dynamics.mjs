@@ -72,10 +72,12 @@ export async function test({ browser, cases, native, C }) {
     const page = await browser.section("dynamics");
     for (const given of [{ step: 4 }, { about: -11.5 }, { across: 0 }, { about: 19.25, across: 9.14, loop: "euler" }, { step: 50, loop: "rk4", about: 40 },
       { up: 1.9, moves: "both" }, { up: 0.5, moves: "gravity", step: 1 }]) {
-      const part = await browser.section("dynamics", { hash: `#dynamics?${Object.entries(given).map(([name, value]) => `${name}=${value}`).join("&")}` });
-      await compare(part, given);
-      await part.context().close();
+      await page.evaluate((hash) => (location.hash = hash), `dynamics?${Object.entries(given).map(([name, value]) => `${name}=${value}`).join("&")}`);
+      await settle(page);
+      await compare(page, given);
     }
+    await page.evaluate(() => (location.hash = "dynamics"));
+    await settle(page);
     await write(page, "step", 7);
     await write(page, "about", 9);
     await compare(page, { step: 7, about: 9 });
