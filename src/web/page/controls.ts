@@ -92,6 +92,12 @@ export class NumberControl implements Control {
     return this.#o.value;
   }
 
+  /** To the one of its slider's values that is nearest, without a call: for what a hand draws. */
+  approach(value: number): void {
+    const { least, greatest } = this.#o;
+    this.value = this.#at(Math.min(1, Math.max(0, (value - least) / (greatest - least))));
+  }
+
   get text(): string {
     return String(this.#value);
   }
@@ -189,7 +195,7 @@ export class ChoiceControl<V extends string> implements Control {
     this.key = options.key;
     this.#first = this.#value = options.value;
     const name = fresh("choice");
-    this.element = el("fieldset", options.quiet ? "pills quiet" : "pills", { "data-name": options.key }, el("legend", "", {}, options.label));
+    this.element = el("fieldset", "pills", { "data-name": options.key }, el("legend", options.quiet ? "unseen" : "", {}, options.label));
     for (const { value, label, token } of options.choices) {
       const input = el("input", "", { type: "radio", name, value });
       input.addEventListener("change", () => {

@@ -115,7 +115,7 @@ export class Plot {
     this.#plot?.destroy();
     const { log, range, splits, tick, across = "", below = true, height = 118 } = this.#options;
     const ink = color("soft"), faint = color("line"), font = `12px ${sans}`;
-    const label = tick ?? ((value: number) => (log ? power(Math.round(Math.log10(value))) : plain(value)));
+    const label = tick ?? ((value: number) => (log ? tens(Math.round(Math.log10(value))) : plain(value)));
     this.#plot = new uPlot({
       width: this.#width, height, padding: [8, gutter.right, below ? 0 : 8, 0],
       cursor: { show: false }, legend: { show: false },
@@ -138,7 +138,8 @@ export class Plot {
         {
           stroke: ink, font, size: gutter.left, gap: 4, grid: { stroke: faint, width: 1 }, ticks: { show: false }, space: log ? 24 : 30,
           values: (_, values) => values.map((value) => (value === null ? "" : label(value))),
-          ...(splits ? { splits: () => splits } : {}),
+          ...(log ? { filter: (_: uPlot, values: (number | null)[]) => values } : {}),
+          ...(splits ? { splits: () => splits } : log ? { splits: (_: uPlot, __: number, least: number, greatest: number) => powers(least, greatest) } : {}),
         },
       ],
       series: [{}, ...this.#lines.map((line) => ({
@@ -185,6 +186,15 @@ const plain = (value: number | null) =>
   value === null ? "" : value === 0 ? "0" : Math.abs(value) >= 1000
     ? String(Math.round(value)).replace("-", "−").replace(/(\d)(?=(\d{3})+$)/g, "$1\u202f")
     : digits(Number(value.toPrecision(6)), 6).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "");
+
+const tens = (exponent: number) => (exponent === 0 ? "1" : exponent === 1 ? "10" : power(exponent));
+
+/** At most six powers of ten in a range, evenly, 1 among them if it is in it. */
+const powers = (least: number, greatest: number): number[] => {
+  const low = Math.ceil(Math.log10(least) - 1e-9), high = Math.floor(Math.log10(greatest) + 1e-9), by = Math.ceil((high - low + 1) / 6);
+  const first = Math.ceil(low / by);
+  return Array.from({ length: Math.max(0, Math.floor(high / by) - first + 1) }, (_, i) => 10 ** ((first + i) * by));
+};
 
 const padded = (least: number, greatest: number): [number, number] => {
   const more = greatest > least ? 0.06 * (greatest - least) : Math.max(1e-12, 0.1 * Math.abs(least));

@@ -20,8 +20,8 @@ export interface TransportOptions {
   speeds: readonly number[];
   speed: number;
   decimals?: number;
-  /** Steps without marks   [s]. */
-  step?: number;
+  /** The grid that steps go along where there are no marks   [s]; a hundredth of all unless it is said. */
+  step?: () => number;
   /** Shows the time. `stopped` says that it will not go on by itself, so words for screen readers may follow. */
   show: (time: number, stopped: boolean) => void;
 }
@@ -123,11 +123,12 @@ export class Transport {
     return this.#list.findLast((mark) => mark.time <= this.#now) ?? null;
   }
 
-  /** To the next mark, or the one before; without marks by `step`. */
+  /** To the next mark, or the one before; without marks to the next of `step`. */
   step(direction: 1 | -1): void {
     const tiny = 1e-12;
     if (this.#list.length === 0) {
-      this.seek(this.#now + direction * (this.#o.step ?? this.#end / 100));
+      const by = this.#o.step?.() ?? this.#end / 100, near = 1e-9;
+      this.seek(by * (direction > 0 ? Math.floor(this.#now / by + near) + 1 : Math.ceil(this.#now / by - near) - 1));
     } else {
       const next = direction > 0
         ? this.#list.find((mark) => mark.time > this.#now + tiny)?.time ?? this.#end

@@ -44,6 +44,9 @@ export class ArrowShape extends Group {
     this.#material.uniforms["base"]!.value.setRGB(...rgb(this.#token));
   }
 
+  /** Where it points to   [mm]. */
+  readonly tip = new Vector3();
+
   /** From a point along a vector, both in mm. One of no length is not seen. */
   point(from: Vec, vector: Vec): void {
     const v = new Vector3(...vector), length = v.length();
@@ -51,6 +54,7 @@ export class ArrowShape extends Group {
     if (!this.visible) return;
     const thick = this.#thick, head = Math.min(6 * thick, 0.6 * length);
     this.position.set(...from);
+    this.tip.copy(v).add(this.position);
     this.quaternion.setFromUnitVectors(along, v.divideScalar(length));
     this.#shaft.scale.set(thick, length - 0.9 * head, thick);
     this.#head.position.y = length;

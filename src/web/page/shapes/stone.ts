@@ -1,5 +1,5 @@
 /** A stone: its surface from the library's profile, in mm. Growth lines are fixed in it, so one sees how it turns. */
-import { BufferAttribute, BufferGeometry, Color, Mesh, ShaderMaterial, type Raycaster } from "three";
+import { BufferAttribute, BufferGeometry, Color, Mesh, ShaderMaterial, type Object3D, type Raycaster } from "three";
 import { C, type Goishi, type Numbers } from "../core";
 import { rgb, type Token } from "../look";
 import { lightGlsl, lightUniforms } from "./light";
@@ -72,6 +72,14 @@ void main() {
   gl_FragColor = vec4(base, (0.16 + 0.72 * edge) * (0.78 + 0.22 * stripe) + 0.07 * stripe);
 }`;
 
+/** Puts something where a motion or a pose says   [m]. */
+export function put(object: Object3D, motion: Numbers, at = 0): void {
+  object.position.set(1e3 * motion[at]!, 1e3 * motion[at + 1]!, 1e3 * motion[at + 2]!);
+  const q = at + C.ATTITUDE;
+  object.quaternion.set(motion[q + 1]!, motion[q + 2]!, motion[q + 3]!, motion[q]!);
+  object.updateMatrixWorld();
+}
+
 export type Shell = "white" | "black";
 
 abstract class Body extends Mesh<BufferGeometry, ShaderMaterial> {
@@ -83,10 +91,7 @@ abstract class Body extends Mesh<BufferGeometry, ShaderMaterial> {
 
   /** Puts it where a motion or a pose says   [m]. */
   place(motion: Numbers, at = 0): void {
-    this.position.set(1e3 * motion[at]!, 1e3 * motion[at + 1]!, 1e3 * motion[at + 2]!);
-    const q = at + C.ATTITUDE;
-    this.quaternion.set(motion[q + 1]!, motion[q + 2]!, motion[q + 3]!, motion[q]!);
-    this.updateMatrixWorld();
+    put(this, motion, at);
   }
 
   /** Whether a ray of the pointer meets it. */
