@@ -103,6 +103,15 @@ export class Goishi {
     return this.#numbers("measures", stone, doubles(C.MEASURES_SIZE));
   }
 
+  publishedMeasures(stone: Numbers): Numbers {
+    return this.#numbers("published_measures", stone, doubles(C.PUBLISHED_MEASURES_SIZE));
+  }
+
+  /** In W, row by row, about its origin. */
+  tensor(stone: Numbers, pose: Numbers | readonly number[]): Numbers {
+    return this.#numbers("tensor", stone, pose, doubles(9));
+  }
+
   /** Rows of PROFILE_SIZE. */
   profile(stone: Numbers, steps: number): Numbers {
     const parts = stone[C.BEVEL] === 0 ? 2 : 3;
@@ -137,6 +146,11 @@ export class Goishi {
 
   freeFlight(stone: Numbers, state: Numbers, gravity: Vec, freedom: number, time: number): Numbers {
     return this.#numbers("free_flight", stone, state, gravity, freedom, time, doubles(C.MOTION_SIZE));
+  }
+
+  /** q_WB and ω in W of a body with these moments, axial and transverse. */
+  freeRotation(moments: readonly [number, number], attitude: readonly number[], momentum: Vec, time: number): Numbers {
+    return this.#numbers("free_rotation", moments, attitude, momentum, time, doubles(7));
   }
 
   /** Rows of FLIGHT_SIZE, those that were reached, and how it ended. */

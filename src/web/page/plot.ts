@@ -33,8 +33,9 @@ export interface PlotOptions {
   across?: string;
   /** Whether the numbers below it are shown. */
   below?: boolean;
-  /** Whether the future is veiled and may be dragged through. */
+  /** Whether a line shows what is now, and may be dragged; the future is veiled, unless it is no time. */
   scrub?: (x: number) => void;
+  veiled?: boolean;
 }
 
 const sans = '-apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif';
@@ -145,7 +146,7 @@ export class Plot {
         ...(line.dash ? { dash: line.dash } : {}),
       }))],
     }, this.#data, this.#field);
-    if (this.#options.scrub) this.#field.append(this.#veil, this.#now);
+    if (this.#options.scrub) this.#field.append(...(this.#options.veiled === false ? [] : [this.#veil]), this.#now);
     this.#move();
   }
 

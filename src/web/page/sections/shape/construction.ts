@@ -1,0 +1,140 @@
+/** How a stone is made: two circles, their lens, a turn about the axis, a ball along the rim. Drawn in the plane y = 0 of the
+ * stone, which is cut open there, in mm. */
+import { C, type Goishi, type Numbers, type Vec } from "../../core";
+import { el } from "../../dom";
+import type { Figure } from "../../figure";
+import { ArrowShape } from "../../shapes/arrow";
+import { CutShape } from "../../shapes/cut";
+import { StoneShape, type Shell } from "../../shapes/stone";
+import { TrailShape } from "../../shapes/trail";
+
+/** How far it has come. */
+export interface Progress {
+  apart: number; // [mm] by which each circle is still off its place
+  sweep: number; // [rad] of the turn about the axis
+  bevel: number; // of the bevel's height, from 0 to 1
+}
+
+const steps = 48;      // of each part of the profile
+const front = -0.04;   // [mm] lines are as much before the face
+
+/** A circle of the plane y = 0. */
+function circle(rho: number, z: number, radius: number): number[] {
+  const count = 180;
+  return Array.from({ length: count + 1 }, (_, i) => (2 * Math.PI * i) / count)
+    .flatMap((angle) => [rho + radius * Math.sin(angle), front, z + radius * Math.cos(angle)]);
+}
+
+const tag = (markup: string, classes = "") => {
+  const element = el("span", `tag ${classes}`);
+  element.innerHTML = `<i>${markup}</i>`;
+  return element;
+};
+
+export class Construction {
+  /** To be pulled. */
+  readonly pole = el("button", "handle up", { type: "button", tabindex: -1, "aria-hidden": "true", title: "drag: thickness" });
+  readonly rim = el("button", "handle across", { type: "button", tabindex: -1, "aria-hidden": "true", title: "drag: width" });
+  readonly #goishi: Goishi;
+  readonly #figure: Figure;
+  readonly #shape: StoneShape;
+  readonly #faces = [new CutShape(1), new CutShape(-1)] as const;
+  readonly #circles = [new TrailShape("exact", 2), new TrailShape("exact", 2)] as const;
+  readonly #balls = [new TrailShape("normal", 2), new TrailShape("normal", 2)] as const;
+  readonly #wrong = [new TrailShape("published", 2), new TrailShape("published", 2)] as const;
+  readonly #measuresLines = new TrailShape("soft", 1.3);
+  readonly #normal = new ArrowShape("ink", { thick: 0.09 });
+  readonly #tags = { r: tag("r"), d: tag("d"), wrong: tag("r<sub>2</sub> of the talk", "c-published"), ball: tag("r<sub>2</sub>", "c-normal") };
+  readonly #dot = el("span", "dot");
+
+  constructor(goishi: Goishi, figure: Figure, stone: Numbers) {
+    this.#goishi = goishi;
+    this.#figure = figure;
+    this.#shape = new StoneShape(goishi, stone);
+    this.#faces[1].rotation.z = Math.PI;
+    figure.scene.add(this.#shape, ...this.#faces, ...this.#circles, ...this.#balls, ...this.#wrong, this.#measuresLines, this.#normal);
+    figure.overlay.append(...Object.values(this.#tags), this.#dot, this.pole, this.rim);
+  }
+
+  paint(shell: Shell): void {
+    this.#shape.paint(shell);
+    for (const face of this.#faces) face.paint(shell);
+    for (const line of [...this.#circles, ...this.#balls, ...this.#wrong, this.#measuresLines, this.#normal]) line.paint();
+  }
+
+  /** A stone by its measures; `settled` shows what belongs to the finished one, `published` the talk's bevel. */
+  show(stone: Numbers, measures: Numbers, { apart, sweep, bevel }: Progress, settled: boolean, published: Numbers | null): void {
+    const mm = (place: number) => 1e3 * measures[place]!;
+    const r = mm(C.SPHERE_RADIUS), d = mm(C.SPHERE_OFFSET) + apart;
+    const made = this.#made(stone, r, d, apart, bevel);
+    this.#circles[0].through(circle(0, -d, r));
+    this.#circles[1].through(circle(0, d, r));
+    const profile = made ? this.#goishi.profile(made, steps) : null;
+    this.#faces.forEach((face, side) => {
+      face.visible = profile !== null && sweep < 2 * Math.PI;
+      if (!profile) return;
+      face.reshape(profile);
+      face.rotation.z = side === 0 || sweep === 0 ? side * Math.PI : sweep; // at rest in the plane, or where the turn has come to
+    });
+    this.#shape.visible = made !== null && sweep > 0;
+    if (made && sweep > 0) this.#shape.reshape(this.#goishi, made, sweep);
+    const R1 = mm(C.MAJOR_RADIUS), R2 = mm(C.MINOR_RADIUS), ball = settled && R2 > 0;
+    this.#balls.forEach((line, side) => {
+      line.through(ball ? circle((side === 0 ? 1 : -1) * R1, 0, R2) : []);
+    });
+    const wrong = settled && published ? [1e3 * published[C.PUBLISHED_MAJOR_RADIUS]!, 1e3 * published[C.PUBLISHED_MINOR_RADIUS]!] as const : null;
+    this.#wrong.forEach((line, side) => {
+      line.through(wrong ? circle((side === 0 ? 1 : -1) * wrong[0], 0, Math.abs(wrong[1])) : []);
+    });
+    this.#lines(r, d, settled && sweep <= Math.PI);
+    const { pin } = { pin: this.#figure.pin.bind(this.#figure) };
+    pin(this.#tags.r, settled ? [-0.5 * r * Math.sin(slant), front, -d + 0.5 * r * Math.cos(slant)] : null);
+    pin(this.#tags.d, settled && d > 2 ? [0.9, front, -d / 2] : null);
+    pin(this.#tags.ball, ball && !wrong ? [-R1 - R2 - 1.3, front, 0] : null);
+    pin(this.#tags.wrong, wrong ? [-wrong[0], front, Math.abs(wrong[1]) + 1.2] : null);
+    pin(this.pole, settled ? [0, front, mm(C.MEASURE_HEIGHT) / 2] : null);
+    pin(this.rim, settled ? [mm(C.OUTER_WIDTH) / 2, front, 0] : null);
+  }
+
+  /** Where one is on the profile: a row of it, or nothing. */
+  mark(row: Numbers | null): void {
+    if (!row) {
+      this.#normal.visible = false;
+      this.#figure.pin(this.#dot, null);
+      return;
+    }
+    const at: Vec = [1e3 * row[C.RHO]!, front, 1e3 * row[C.ZETA]!];
+    this.#normal.point(at, [3.2 * row[C.NORMAL_RHO]!, 0, 3.2 * row[C.NORMAL_ZETA]!]);
+    this.#figure.pin(this.#dot, at);
+  }
+
+  /** The stone as far as it is made; null before the circles meet. */
+  #made(stone: Numbers, r: number, d: number, apart: number, bevel: number): Numbers | null {
+    if (apart > 0) { // the lens of two circles that are farther apart
+      const height = 2e-3 * (r - d), width = 2e-3 * Math.sqrt(Math.max(0, (r - d) * (r + d)));
+      return height > 1e-5 ? Float64Array.from([width, height, 0, 0, stone[C.DENSITY]!, 0]) : null;
+    }
+    if (bevel >= 1) return stone;
+    const part = stone.slice();
+    part[C.BEVEL]! *= bevel;
+    return part;
+  }
+
+  /** The radius of the lower circle to the upper cap, the offset of its centre, and the axis. */
+  #lines(r: number, d: number, seen: boolean): void {
+    const points: number[] = [];
+    const segment = (x0: number, z0: number, x1: number, z1: number) => points.push(x0, front, z0, x1, front, z1, NaN, NaN, NaN);
+    if (seen) {
+      segment(0, -d, -r * Math.sin(slant), -d + r * Math.cos(slant));
+      segment(0, -d, 0, 0);
+      segment(-0.35, -d, 0.35, -d);
+      for (let z = 0; z < r - d + 6; z += 2.4) { // the axis, in dashes
+        segment(0, z, 0, z + 1.5);
+        segment(0, z + 1.95, 0, z + 2.05);
+      }
+    }
+    this.#measuresLines.through(points);
+  }
+}
+
+const slant = 0.42; // [rad] of the radius that is drawn, from the axis
