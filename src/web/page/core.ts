@@ -129,9 +129,13 @@ export class Goishi {
     return this.#numbers("mesh_figures", stone, method, fineness, weld, doubles(C.MESH_FIGURES_SIZE));
   }
 
+  meshCounts(stone: Numbers, method: number, fineness: Int32Array, weld: number): { vertices: number; triangles: number } {
+    const [vertices, triangles] = this.#call("mesh_counts", stone, method, fineness, weld, one, one);
+    return { vertices: vertices![0]!, triangles: triangles![0]! };
+  }
+
   mesh(stone: Numbers, method: number, fineness: Int32Array, weld: number) {
-    const [vertices, triangles] = this.#call("mesh_counts", stone, method, fineness, weld, one, one)
-      .map((count) => count[0]!) as [number, number];
+    const { vertices, triangles } = this.meshCounts(stone, method, fineness, weld);
     const [points, normals, corners] = this.#call("mesh", stone, method, fineness, weld,
       doubles(3 * vertices), doubles(3 * vertices), words(3 * triangles)) as [Numbers, Numbers, Numbers];
     return { points, normals, corners: Uint32Array.from(corners) };

@@ -13,7 +13,7 @@ import { Construction, type Progress } from "./shape/construction";
 import { Magnifier } from "./shape/magnifier";
 
 const sizes = [22, 25, 28, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40] as const;
-const near = { target: [0, 0, 0], azimuth: -Math.PI / 2 - 0.42, elevation: 0.3, distance: 74 } as const;
+const near = { target: [0, 0, 0], azimuth: -Math.PI / 2 - 0.5, elevation: 0.44, distance: 62 } as const;
 const far = { azimuth: -Math.PI / 2, elevation: 0.02, distance: 150 } as const;
 const lasts = { meet: 1.3, turn: 1.7, round: 0.7 }; // [s] of the parts of the construction
 
@@ -65,6 +65,17 @@ export const shape: Section = {
       { name: "transverse", symbol: "I<sub>t</sub>", label: "and across it" },
     ]);
 
+    // --- curvature
+    const plots = el("div", "plots");
+    wide.append(plots);
+    const curvature = new Plot(plots, { title: "How sharply the profile bends", unit: "curvature in 1/mm, from pole to pole; drag",
+      lines: [{ label: "curvature", token: "normal" }], log: { least: 1e-3 }, across: " mm", veiled: false,
+      range: (least, greatest) => [Math.min(0.01, least / 2), Math.max(10, greatest * 2)], splits: [0.01, 0.1, 1, 10, 100], tick: (value) => String(value),
+      scrub: (arc) => {
+        along = arc / length;
+        mark();
+      } });
+
     // --- controls
     const [left, right] = panel(wide, "The stone", "The rim") as [HTMLElement, HTMLElement];
     const changed = () => {
@@ -91,19 +102,8 @@ export const shape: Section = {
     const talk = new SwitchControl(right, { key: "talk", label: "the bevel as the talk computes it", value: false, token: "published" }, changed);
     const open = new ChoiceControl(left, { key: "view", label: "show it", value: "open",
       choices: [{ value: "open", label: "cut open" }, { value: "whole", label: "whole" }] }, changed);
-    const along = { key: "along", value: 0.3 }; // where the mark is on the profile, of its length
     const controls: Control[] = [width, height, bevel, shell, of, talk, open];
 
-    // --- curvature
-    const plots = el("div", "plots");
-    wide.append(plots);
-    const curvature = new Plot(plots, { title: "How sharply the profile bends", unit: "curvature in 1/mm, from pole to pole; drag",
-      lines: [{ label: "curvature", token: "normal" }], log: { least: 1e-3 }, across: " mm", veiled: false,
-      range: (least, greatest) => [Math.min(0.01, least / 2), Math.max(10, greatest * 2)], tick: (value) => (Number.isInteger(Math.log10(value)) || Math.abs(Math.log10(value) - Math.round(Math.log10(value))) < 1e-9 ? String(Number(value.toPrecision(1))) : ""),
-      scrub: (arc) => {
-        along.value = arc / length;
-        mark();
-      } });
     const jump = el("p", "remark"), ratio = new Shown("jump"), bend = new Shown("bend");
     const jumps = el("span");
     jump.append("At the mark ", bend.element, ". ", jumps, ratio.element);
@@ -129,7 +129,7 @@ export const shape: Section = {
 
     // --- what it is about
     let stone: Numbers | null = null, measures: Numbers | null = null, published: Numbers | null = null, rows: Numbers[] = [];
-    let length = 1, moving: object | null = null;
+    let length = 1, along = 0.3, moving: object | null = null; // [mm] of the profile; where the mark is, of it
     const settled = (): Progress => ({ apart: 0, sweep: open.value === "open" ? Math.PI : 2 * Math.PI, bevel: 1 });
 
     function sizeOf(of_: Shell): number | null {
@@ -203,8 +203,8 @@ export const shape: Section = {
     function draw(progress: Progress, done: boolean): void {
       construction.show(stone!, measures!, progress, done, talk.value ? published : null);
       magnifier.element.hidden = !done;
-      construction.paint(shell.value);
       if (done) {
+        construction.paint(shell.value);
         const m = measures!, text_ = (place: number) => fixed(1e3 * m[place]!, 2);
         figure.label = `A Go stone ${open.value === "open" ? "cut open along its axis" : "between the two circles of its faces"}: width ${text_(C.OUTER_WIDTH)} mm, thickness ${text_(C.MEASURE_HEIGHT)} mm, the circles’ radius ${text_(C.SPHERE_RADIUS)} mm.`;
       }
@@ -212,9 +212,9 @@ export const shape: Section = {
     }
 
     function mark(): void {
-      const at = along.value * length / 1e3;
+      const at = along * length / 1e3;
       const row = rows.find((one) => one[C.ARC]! >= at) ?? rows.at(-1)!;
-      curvature.now(along.value * length);
+      curvature.now(along * length);
       construction.mark(moving === null ? row : null);
       bend.set(row[C.CURVATURE]!, `its radius is ${digits(1e3 / row[C.CURVATURE]!, 4)} mm, its curvature ${digits(1e-3 * row[C.CURVATURE]!, 4)} /mm`);
       figure.invalidate();

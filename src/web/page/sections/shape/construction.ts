@@ -3,6 +3,7 @@
 import { C, type Goishi, type Numbers, type Vec } from "../../core";
 import { el } from "../../dom";
 import type { Figure } from "../../figure";
+import type { Token } from "../../look";
 import { ArrowShape } from "../../shapes/arrow";
 import { CutShape } from "../../shapes/cut";
 import { StoneShape, type Shell } from "../../shapes/stone";
@@ -18,11 +19,17 @@ export interface Progress {
 const steps = 48;      // of each part of the profile
 const front = -0.04;   // [mm] lines are as much before the face
 
-/** A circle of the plane y = 0. */
-function circle(rho: number, z: number, radius: number): number[] {
-  const count = 180;
-  return Array.from({ length: count + 1 }, (_, i) => (2 * Math.PI * i) / count)
-    .flatMap((angle) => [rho + radius * Math.sin(angle), front, z + radius * Math.cos(angle)]);
+/** A circle of radius 1 in the plane y = 0, to be moved and scaled. */
+function circle(token: Token): TrailShape {
+  const line = new TrailShape(token, 2), count = 180;
+  line.through(Array.from({ length: count + 1 }, (_, i) => (2 * Math.PI * i) / count).flatMap((angle) => [Math.sin(angle), 0, Math.cos(angle)]));
+  return line;
+}
+
+function place(line: TrailShape, rho: number, z: number, radius: number): void {
+  line.visible = radius > 0;
+  line.position.set(rho, front, z);
+  line.scale.setScalar(radius > 0 ? radius : 1);
 }
 
 const tag = (markup: string, classes = "") => {
@@ -33,17 +40,17 @@ const tag = (markup: string, classes = "") => {
 
 export class Construction {
   /** To be pulled. */
-  readonly pole = el("button", "handle up", { type: "button", tabindex: -1, "aria-hidden": "true", title: "drag: thickness" });
-  readonly rim = el("button", "handle across", { type: "button", tabindex: -1, "aria-hidden": "true", title: "drag: width" });
+  readonly pole = el("div", "handle up", { "aria-hidden": "true", title: "drag: thickness" });
+  readonly rim = el("div", "handle across", { "aria-hidden": "true", title: "drag: width" });
   readonly #goishi: Goishi;
   readonly #figure: Figure;
   readonly #shape: StoneShape;
   readonly #faces = [new CutShape(1), new CutShape(-1)] as const;
-  readonly #circles = [new TrailShape("exact", 2), new TrailShape("exact", 2)] as const;
-  readonly #balls = [new TrailShape("normal", 2), new TrailShape("normal", 2)] as const;
-  readonly #wrong = [new TrailShape("published", 2), new TrailShape("published", 2)] as const;
+  readonly #circles = [circle("exact"), circle("exact")] as const;
+  readonly #balls = [circle("normal"), circle("normal")] as const;
+  readonly #wrong = [circle("published"), circle("published")] as const;
   readonly #measuresLines = new TrailShape("soft", 1.3);
-  readonly #normal = new ArrowShape("ink", { thick: 0.09 });
+  readonly #normal = new ArrowShape("ink", { thick: 0.13 });
   readonly #tags = { r: tag("r"), d: tag("d"), wrong: tag("r<sub>2</sub> of the talk", "c-published"), ball: tag("r<sub>2</sub>", "c-normal") };
   readonly #dot = el("span", "dot");
 
@@ -67,8 +74,7 @@ export class Construction {
     const mm = (place: number) => 1e3 * measures[place]!;
     const r = mm(C.SPHERE_RADIUS), d = mm(C.SPHERE_OFFSET) + apart;
     const made = this.#made(stone, r, d, apart, bevel);
-    this.#circles[0].through(circle(0, -d, r));
-    this.#circles[1].through(circle(0, d, r));
+    this.#circles.forEach((line, side) => place(line, 0, side === 0 ? -d : d, r));
     const profile = made ? this.#goishi.profile(made, steps) : null;
     this.#faces.forEach((face, side) => {
       face.visible = profile !== null && sweep < 2 * Math.PI;
@@ -79,21 +85,18 @@ export class Construction {
     this.#shape.visible = made !== null && sweep > 0;
     if (made && sweep > 0) this.#shape.reshape(this.#goishi, made, sweep);
     const R1 = mm(C.MAJOR_RADIUS), R2 = mm(C.MINOR_RADIUS), ball = settled && R2 > 0;
-    this.#balls.forEach((line, side) => {
-      line.through(ball ? circle((side === 0 ? 1 : -1) * R1, 0, R2) : []);
-    });
+    this.#balls.forEach((line, side) => place(line, side === 0 ? R1 : -R1, 0, ball ? R2 : 0));
     const wrong = settled && published ? [1e3 * published[C.PUBLISHED_MAJOR_RADIUS]!, 1e3 * published[C.PUBLISHED_MINOR_RADIUS]!] as const : null;
-    this.#wrong.forEach((line, side) => {
-      line.through(wrong ? circle((side === 0 ? 1 : -1) * wrong[0], 0, Math.abs(wrong[1])) : []);
-    });
-    this.#lines(r, d, settled && sweep <= Math.PI);
-    const { pin } = { pin: this.#figure.pin.bind(this.#figure) };
+    this.#wrong.forEach((line, side) => place(line, wrong ? (side === 0 ? wrong[0] : -wrong[0]) : 0, 0, Math.abs(wrong?.[1] ?? 0)));
+    if (settled) this.#lines(r, d, sweep <= Math.PI);
+    this.#measuresLines.visible = settled && sweep <= Math.PI;
+    const pin = (element: HTMLElement, point: Vec | null) => this.#figure.pin(element, point);
     pin(this.#tags.r, settled ? [-0.5 * r * Math.sin(slant), front, -d + 0.5 * r * Math.cos(slant)] : null);
     pin(this.#tags.d, settled && d > 2 ? [0.9, front, -d / 2] : null);
     pin(this.#tags.ball, ball && !wrong ? [-R1 - R2 - 1.3, front, 0] : null);
     pin(this.#tags.wrong, wrong ? [-wrong[0], front, Math.abs(wrong[1]) + 1.2] : null);
-    pin(this.pole, settled ? [0, front, mm(C.MEASURE_HEIGHT) / 2] : null);
-    pin(this.rim, settled ? [mm(C.OUTER_WIDTH) / 2, front, 0] : null);
+    pin(this.pole, settled ? [0, front, mm(C.MEASURE_HEIGHT) / 2 + 2] : null);
+    pin(this.rim, settled ? [mm(C.OUTER_WIDTH) / 2 + 2, front, 0] : null);
   }
 
   /** Where one is on the profile: a row of it, or nothing. */
