@@ -194,7 +194,7 @@ export const shape: Section = {
       wrong.set(r2, `${fixed(1e3 * r2, 2)} mm`);
       if (talk.value) {
         wrongWords.replaceChildren("The talk’s function takes √(r² + y²) where √(r² − y²) is meant, and gives r₂ = ", wrong.element,
-          ": a ball of negative radius, whose circle touches neither face.");
+          ": a ball of negative radius, which touches both circles from without, beside the stone.");
       } else {
         wrongWords.replaceChildren();
       }
