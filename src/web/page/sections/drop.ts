@@ -92,7 +92,6 @@ export const drop: Section = {
     // --- controls
     const [left, right] = panel(wide, "The start", "Stone and wood") as [HTMLElement, HTMLElement];
     const changed = () => {
-      chosen = null;
       mark();
       again();
     };
@@ -119,9 +118,9 @@ export const drop: Section = {
     const shell = new ChoiceControl(choices, { key: "stone", label: "stone, size 33", value: "white",
       choices: [{ value: "white", label: "shell" }, { value: "black", label: "slate" }] }, changed);
     const compare = new SwitchControl(left, { key: "loop", label: "beside it the talk’s loop, 60 times a second", value: false, token: "published" },
-      () => { show_(); remember(place, controls); });
+      () => { arrange(); remember(place, controls); });
     const integral = new SwitchControl(left, { key: "jellett", label: "Jellett’s integral", value: false, token: "momentum" },
-      () => { show_(); remember(place, controls); });
+      () => { arrange(); remember(place, controls); });
     const controls: Control[] = [...Object.values(c), law, shell, compare, integral];
 
     // --- words below
@@ -152,7 +151,6 @@ export const drop: Section = {
 
     // --- what it is about
     let run: Run | null = null, loop: Loop | null = null, said: Said[] = [], greatest = 1, started = false;
-    let chosen: string | null = "dropped";
 
     const values = (): Start => ({
       shell: shell.value, bevel: c.bevel.value, height: c.height.value, tilt: c.tilt.value, spin: c.spin.value, tumble: c.tumble.value,
@@ -168,7 +166,14 @@ export const drop: Section = {
       inputs.set(name, input);
       starter.append(el("label", "pill", {}, input, label));
     }
+    /** The ready-made start that the controls have now. */
+    function matching(): string | null {
+      const same = ({ start }: { start: Partial<Start> }) => law.value === (start.law ?? "dry") &&
+        Object.entries(c).every(([key, control]) => control.value === (start[key as keyof typeof c] ?? control.first));
+      return Object.keys(starts).find((name) => same(starts[name]!)) ?? null;
+    }
     function mark(): void {
+      const chosen = matching();
       for (const [name, input] of inputs) input.checked = name === chosen;
       says.textContent = chosen ? starts[chosen]!.says : "";
     }
@@ -181,7 +186,6 @@ export const drop: Section = {
       }
       integral.value = showing ?? false;
       transport.speed = speed ?? 5;
-      chosen = name;
       mark();
       again();
     }
@@ -223,7 +227,7 @@ export const drop: Section = {
     }
 
     /** Graphs, marks and what stands beside, without a change of time. */
-    function show_(): void {
+    function arrange(): void {
       if (!run) return;
       const { series } = run;
       loop = compare.value ? loop ?? publishedLoop(goishi, run) : null;
@@ -243,17 +247,17 @@ export const drop: Section = {
 
     function again(): void {
       if (!compute()) return;
-      update_();
+      present();
       remember(place, controls);
       if (movesByItself()) transport.restart();
       else transport.seek(run!.end);
     }
 
-    function update_(): void {
+    function present(): void {
       look();
       transport.set(run!.end, run!.events.map((event, i) => ({
         time: event[C.EVENT_TIME]!, token: said[i]!.token, high: said[i]!.high, label: said[i]!.great })));
-      show_();
+      arrange();
     }
 
     /** Frames the whole track. */
@@ -295,9 +299,9 @@ export const drop: Section = {
         arrow.point(vec(event, C.EVENT_POINT).map((value) => 1e3 * value) as [number, number, number],
           impulse.map((value) => scale * value) as [number, number, number]);
       }
-      track.show(lastBefore(run.series.ended, time, (ended_) => ended_) + 1);
-      const over = run.over(motion), lean_ = tiltOf(motion);
-      tilt.set(lean_, `tilt ${fixed(lean_, 1)}°`);
+      track.show(lastBefore(run.series.ended, time, (ends) => ends) + 1);
+      const over = run.over(motion), angle = tiltOf(motion);
+      tilt.set(angle, `tilt ${fixed(angle, 1)}°`);
       where.set(motion[C.POSITION + 2]!, `centre ${fixed(1e3 * motion[C.POSITION + 2]!, 2)} mm high`);
       const touches = over.gap < touching;
       const speed = speedAt(motion, over.point);
@@ -314,7 +318,7 @@ export const drop: Section = {
       }
       for (const plot of [energy, lean, jellett]) plot.now(time);
       if (stopped && words) {
-        figure.label = `A Go stone on a board, after ${fixed(time, 4)} s: ${words.great}; tilt ${fixed(lean_, 1)} degrees, centre ${fixed(1e3 * motion[2]!, 2)} mm high.`;
+        figure.label = `A Go stone on a board, after ${fixed(time, 4)} s: ${words.great}; tilt ${fixed(angle, 1)} degrees, centre ${fixed(1e3 * motion[2]!, 2)} mm high.`;
       }
       figure.invalidate();
     }
@@ -359,9 +363,8 @@ export const drop: Section = {
       controls,
       update() {
         if (!compute()) return;
-        chosen = controls.every((control) => control.isDefault || control === compare) ? "dropped" : null;
         mark();
-        update_();
+        present();
         if (!movesByItself()) transport.seek(run!.end);
         else if (started) transport.restart();
       },
