@@ -85,10 +85,9 @@ int goishi_published_measures(const double* stone, size_t stone_size, double* pu
     const double w = shape.width, h = shape.height;
     require(1e-6 <= h, "height", h, "must be at least 1e-6");
     require(w <= 0.1, "width", w, "must be at most 0.1");
-    const PublishedBevel<double> bevel =
-        formula::published_bevel(shape.sphere_radius, shape.sphere_offset, shape.bevel);
+    const PublishedBevel<double> bevel = published_bevel(shape.sphere_radius, shape.sphere_offset, shape.bevel);
     constexpr double cm = 100.0, square_cm = cm * cm, cubic_cm = cm * square_cm;
-    const double volume = formula::published_volume(cm * shape.sphere_radius, cm * shape.sphere_offset) / cubic_cm;
+    const double volume = published_volume(cm * shape.sphere_radius, cm * shape.sphere_offset) / cubic_cm;
     const PublishedTensor sum = published_tensor(static_cast<float>(cm * w), static_cast<float>(cm * h));
     const double axial = mass_properties(make_stone(w, h), Density{1.0}).moments.axial;
     write({bevel.major_radius, bevel.minor_radius, volume, axial / volume, sum.y / square_cm, sum.x / square_cm,

@@ -167,7 +167,7 @@ TEST(BadCall, TheRulesOfWhatArraysStandFor) {
   expect_refused("goishi_measures", "stone", GOISHI_MASS, 0.005, "density = 2800: must be 0 where the mass is given");
   expect_refused("goishi_published_measures", "stone", GOISHI_WIDTH, 0.11, "width = 0.11: must be at most 0.1");
   expect_refused("goishi_tensor", "pose", GOISHI_ATTITUDE, 0.81, "attitude = ");
-  expect_refused("goishi_free_rotation", "moments", GOISHI_MOMENT_AXIAL, 3e-7, "moments = ");
+  expect_refused("goishi_free_rotation", "moments", GOISHI_MOMENT_AXIAL, 3e-7, "axial = 3e-07: ");
   expect_refused("goishi_free_rotation", "attitude", 0, 0.81, "attitude = ");
   expect_refused("goishi_free_flight", "state", GOISHI_ATTITUDE, 0.81, "attitude = ");
   expect_refused("goishi_free_flight", "state", GOISHI_VELOCITY, infinity, "velocity = inf: ");

@@ -59,9 +59,9 @@ TEST(CInterface, PublishedMeasures) {
                  d = scene.shape.sphere_offset;
     List got(GOISHI_PUBLISHED_MEASURES_SIZE);
     EXPECT_DONE(goishi_published_measures(AS_ARRAY(scene.stone), AS_ARRAY(got)));
-    const PublishedBevel<double> bevel = formula::published_bevel(r, d, scene.shape.bevel);
+    const PublishedBevel<double> bevel = published_bevel(r, d, scene.shape.bevel);
     const PublishedTensor sum = published_tensor(static_cast<float>(100.0 * w), static_cast<float>(100.0 * h));
-    const double volume = formula::published_volume(100.0 * r, 100.0 * d) / 1e6;
+    const double volume = published_volume(100.0 * r, 100.0 * d) / 1e6;
     const double axial = mass_properties(make_stone(w, h), Density{1.0}).moments.axial;
     expect_same(got,
                 {bevel.major_radius, bevel.minor_radius, volume, axial / volume, sum.y / 1e4, sum.x / 1e4,

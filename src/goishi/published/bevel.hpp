@@ -12,8 +12,6 @@ struct PublishedBevel {
   T minor_radius;  // r₂
 };
 
-namespace formula {
-
 /// The talk's CalculateBevel, but for its argument list, in the unit of r, d and b:
 ///
 ///     P_x = √(r² + y²), where √(r² − y²) is right;   r₁ = P_x d / y,   r₂ = r − √(d² + r₁²),   y = d + b/2
@@ -27,5 +25,4 @@ template <Elementary T>
   return {.major_radius = major_radius, .minor_radius = T(r - scalar::sqrt(T(d * d + major_radius * major_radius)))};
 }
 
-}  // namespace formula
 }  // namespace goishi

@@ -19,7 +19,7 @@ import { Matrix, squareCm } from "./inertia/matrix";
 const sizes = ["22", "25", "28", "30", "31", "32", "33", "34", "35", "36", "37", "38", "39", "40"] as const;
 const end = 10;              // [s]
 const samples = 600;         // of it
-const beside = 23;           // [mm] of each stone from the middle
+const beside = 21;           // [mm] of each stone from the middle
 const reach = 15.5;          // [mm] where the tip of the axis is traced
 const ground = -19;          // [mm]
 
@@ -42,7 +42,7 @@ export const inertia: Section = {
 
     // --- the picture
     const figure = stage.figure(wide, { label: "Two Go stones that spin side by side.",
-      view: { target: [0, 0, -2], azimuth: -Math.PI / 2 + 0.2, elevation: 0.26, distance: 128 }, elevations: [0.03, 1.5] });
+      view: { target: [0, 0, -2], azimuth: -Math.PI / 2 + 0.08, elevation: 0.26, distance: 128 }, elevations: [0.03, 1.5] });
     const halves = (["exact", "published"] as const).map((token, side) => {
       const x = (side === 0 ? -1 : 1) * beside;
       const one = { token, x, shape: new StoneShape(goishi, stone), shadow: new ShadowShape(ground), trail: new TrailShape(token, 2.4),

@@ -106,7 +106,7 @@ export const shape: Section = {
 
     const jump = el("p", "remark"), ratio = new Shown("jump"), bend = new Shown("bend");
     const jumps = el("span");
-    jump.append("At the mark ", bend.element, ". ", jumps, ratio.element);
+    jump.append("At the mark the profile bends ", bend.element, ". ", jumps, ratio.element);
     text.append(jump);
     const wrongWords = el("p", "remark c-published", { "aria-live": "polite" }), wrong = new Shown("published-minor-radius");
     text.append(wrongWords);
@@ -216,7 +216,7 @@ export const shape: Section = {
       const row = rows.find((one) => one[C.ARC]! >= at) ?? rows.at(-1)!;
       curvature.now(along * length);
       construction.mark(moving === null ? row : null);
-      bend.set(row[C.CURVATURE]!, `its radius is ${digits(1e3 / row[C.CURVATURE]!, 4)} mm, its curvature ${digits(1e-3 * row[C.CURVATURE]!, 4)} /mm`);
+      bend.set(row[C.CURVATURE]!, `with a radius of ${digits(1e3 / row[C.CURVATURE]!, 4)} mm, a curvature of ${digits(1e-3 * row[C.CURVATURE]!, 4)} /mm`);
       figure.invalidate();
     }
 

@@ -140,7 +140,7 @@ export const tessellation: Section = {
         graph.set(x, all.map((of, i) => x.map((value) => {
           const which = decades[i]!.indexOf(value);
           return which < 0 ? null : 1e6 * of[which]![C.MESH_DEVIATION]!;
-        })), 1, 5);
+        })), 1, 4.95);
         graph.now(Math.log10(triangles));
         const other: Method = method.value === "rings" ? "subdivision" : "rings", them = cut(other, at).figures;
         const share = triangles / them[C.MESH_TRIANGLES]!, worse = deviation / them[C.MESH_DEVIATION]!;

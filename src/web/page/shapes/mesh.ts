@@ -47,7 +47,7 @@ export class MeshShape extends Mesh<BufferGeometry, ShaderMaterial> {
         solid: { value: 1 }, thick: { value: 1.6 }, ...lightUniforms() },
     }));
     this.onBeforeRender = (_, scene) => {
-      this.material.uniforms["thick"]!.value = (scene.userData["scale"] as number | undefined) ?? 1;
+      this.material.uniforms["thick"]!.value = 0.8 * ((scene.userData["scale"] as number | undefined) ?? 1);
     };
     this.paint();
   }

@@ -49,7 +49,7 @@ export class Construction {
   readonly #circles = [circle("exact"), circle("exact")] as const;
   readonly #balls = [circle("normal"), circle("normal")] as const;
   readonly #wrong = [circle("published"), circle("published")] as const;
-  readonly #measuresLines = new TrailShape("soft", 1.3);
+  readonly #inside = new TrailShape("soft", 1.3);
   readonly #normal = new ArrowShape("ink", { thick: 0.13 });
   readonly #tags = { r: tag("r"), d: tag("d"), wrong: tag("r<sub>2</sub> of the talk", "c-published"), ball: tag("r<sub>2</sub>", "c-normal") };
   readonly #dot = el("span", "dot");
@@ -59,14 +59,14 @@ export class Construction {
     this.#figure = figure;
     this.#shape = new StoneShape(goishi, stone);
     this.#faces[1].rotation.z = Math.PI;
-    figure.scene.add(this.#shape, ...this.#faces, ...this.#circles, ...this.#balls, ...this.#wrong, this.#measuresLines, this.#normal);
+    figure.scene.add(this.#shape, ...this.#faces, ...this.#circles, ...this.#balls, ...this.#wrong, this.#inside, this.#normal);
     figure.overlay.append(...Object.values(this.#tags), this.#dot, this.pole, this.rim);
   }
 
   paint(shell: Shell): void {
     this.#shape.paint(shell);
     for (const face of this.#faces) face.paint(shell);
-    for (const line of [...this.#circles, ...this.#balls, ...this.#wrong, this.#measuresLines, this.#normal]) line.paint();
+    for (const line of [...this.#circles, ...this.#balls, ...this.#wrong, this.#inside, this.#normal]) line.paint();
   }
 
   /** A stone by its measures; `settled` shows what belongs to the finished one, `published` the talk's bevel. */
@@ -88,11 +88,12 @@ export class Construction {
     this.#balls.forEach((line, side) => place(line, side === 0 ? R1 : -R1, 0, ball ? R2 : 0));
     const wrong = settled && published ? [1e3 * published[C.PUBLISHED_MAJOR_RADIUS]!, 1e3 * published[C.PUBLISHED_MINOR_RADIUS]!] as const : null;
     this.#wrong.forEach((line, side) => place(line, wrong ? (side === 0 ? wrong[0] : -wrong[0]) : 0, 0, Math.abs(wrong?.[1] ?? 0)));
-    if (settled) this.#lines(r, d, sweep <= Math.PI);
-    this.#measuresLines.visible = settled && sweep <= Math.PI;
+    const open = settled && sweep <= Math.PI;
+    if (open) this.#lines(r, d);
+    this.#inside.visible = open;
     const pin = (element: HTMLElement, point: Vec | null) => this.#figure.pin(element, point);
-    pin(this.#tags.r, settled ? [-0.5 * r * Math.sin(slant), front, -d + 0.5 * r * Math.cos(slant)] : null);
-    pin(this.#tags.d, settled && d > 2 ? [0.9, front, -d / 2] : null);
+    pin(this.#tags.r, open ? [-0.5 * r * Math.sin(slant), front, -d + 0.5 * r * Math.cos(slant)] : null);
+    pin(this.#tags.d, open && d > 2 ? [0.9, front, -d / 2] : null);
     pin(this.#tags.ball, ball && !wrong ? [-R1 - R2 - 1.3, front, 0] : null);
     pin(this.#tags.wrong, wrong ? [-wrong[0], front, Math.abs(wrong[1]) + 1.2] : null);
     pin(this.pole, settled ? [0, front, mm(C.MEASURE_HEIGHT) / 2 + 2] : null);
@@ -124,19 +125,17 @@ export class Construction {
   }
 
   /** The radius of the lower circle to the upper cap, the offset of its centre, and the axis. */
-  #lines(r: number, d: number, seen: boolean): void {
+  #lines(r: number, d: number): void {
     const points: number[] = [];
     const segment = (x0: number, z0: number, x1: number, z1: number) => points.push(x0, front, z0, x1, front, z1, NaN, NaN, NaN);
-    if (seen) {
-      segment(0, -d, -r * Math.sin(slant), -d + r * Math.cos(slant));
-      segment(0, -d, 0, 0);
-      segment(-0.35, -d, 0.35, -d);
-      for (let z = 0; z < r - d + 6; z += 2.4) { // the axis, in dashes
-        segment(0, z, 0, z + 1.5);
-        segment(0, z + 1.95, 0, z + 2.05);
-      }
+    segment(0, -d, -r * Math.sin(slant), -d + r * Math.cos(slant));
+    segment(0, -d, 0, 0);
+    segment(-0.35, -d, 0.35, -d);
+    for (let z = 0; z < r - d + 6; z += 2.4) { // the axis, in dashes
+      segment(0, z, 0, z + 1.5);
+      segment(0, z + 1.95, 0, z + 2.05);
     }
-    this.#measuresLines.through(points);
+    this.#inside.through(points);
   }
 }
 
