@@ -13,7 +13,7 @@ import { Construction, type Progress } from "./shape/construction";
 import { Magnifier } from "./shape/magnifier";
 
 const sizes = [22, 25, 28, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40] as const;
-const near = { target: [0, 0, 0], azimuth: -Math.PI / 2 - 0.5, elevation: 0.44, distance: 62 } as const;
+const near = { target: [0, 0, 0], azimuth: -Math.PI / 2 - 0.5, elevation: 0.5, distance: 62 } as const;
 const far = { azimuth: -Math.PI / 2, elevation: 0.02, distance: 150 } as const;
 const lasts = { meet: 1.3, turn: 1.7, round: 0.7 }; // [s] of the parts of the construction
 
@@ -26,7 +26,8 @@ export const shape: Section = {
   id: "shape",
   title: "The shape",
   lead: `Two equal <b class="c-exact">circles</b> overlap in a lens. Turned about its axis, the lens is a Go stone; a small
-    <b class="c-normal">ball</b> that touches both faces rounds its rim. Pull the handles, turn the picture, or take another size.`,
+    <b class="c-normal">ball</b> that touches both faces rounds its rim. Pull the handles, turn the picture, or take another
+    size: the higher its number, the thicker the stone.`,
 
   start(place) {
     const { goishi, stage, wide, text } = place;
@@ -87,7 +88,7 @@ export const shape: Section = {
       new NumberControl(host, { key, label, unit: "mm", least, greatest, step, value, digits: 6 }, changed);
     const width = number(left, "width", "width", 10, 40, 0.1, first.width);
     const height = number(left, "height", "thickness", 1, 20, 0.1, first.height);
-    const bevel = number(right, "bevel", "bevel’s height", 0, 6, 0.1, 1);
+    const bevel = number(right, "bevel", "bevel, its height", 0, 6, 0.1, 1);
     const shell = new ChoiceControl<Shell>(left, { key: "stone", label: "made of", value: "white",
       choices: [{ value: "white", label: "shell, white" }, { value: "black", label: "slate, black" }] }, (chosen) => {
         const number = sizeOf(chosen === "white" ? "black" : "white");
@@ -98,8 +99,8 @@ export const shape: Section = {
     const choices = el("div", "choices");
     right.append(choices);
     const of = new ChoiceControl(choices, { key: "of", label: "the width is that of", value: "lens",
-      choices: [{ value: "lens", label: "the lens, as published" }, { value: "stone", label: "the finished stone, as measured" }] }, changed);
-    const talk = new SwitchControl(right, { key: "talk", label: "the bevel as the talk computes it", value: false, token: "published" }, changed);
+      choices: [{ value: "lens", label: "the sharp lens, as published" }, { value: "stone", label: "the finished stone, as measured" }] }, changed);
+    const talk = new SwitchControl(right, { key: "talk", label: "the bevel of the published talk, which is wrong", value: false, token: "published" }, changed);
     const open = new ChoiceControl(left, { key: "view", label: "show it", value: "open",
       choices: [{ value: "open", label: "cut open" }, { value: "whole", label: "whole" }] }, changed);
     const controls: Control[] = [width, height, bevel, shell, of, talk, open];

@@ -12,7 +12,7 @@ import { MeshShape, type Look } from "../shapes/mesh";
 
 type Method = "rings" | "subdivision";
 
-const most = 6;          // levels; the next would have 300 000 triangles
+const most = 5;          // levels; the next takes a second for the graph
 const pause = 0.42;      // [s] for each level, while it refines by itself
 const view = { target: [0, 0, 0], azimuth: -1.1, elevation: 0.62, distance: 50 } as const;
 
@@ -86,7 +86,7 @@ export const tessellation: Section = {
       ]);
 
     // --- what it is about
-    interface Cut { fineness: Int32Array; figures: Numbers; unwelded: number; welded: number }
+    interface Cut { fineness: Int32Array; figures: Numbers }
     let moving: object | null = null, stone: Numbers | null = null, cuts = new Map<string, Cut>();
     const how = (of: Method) => (of === "rings" ? C.RINGS : C.SUBDIVISION);
 
@@ -95,9 +95,7 @@ export const tessellation: Section = {
       if (known) return known;
       const fineness = goishi.fineness(stone!, how(of), at);
       const figures = goishi.meshFigures(stone!, how(of), fineness, C.WELDED_BY_POSITION);
-      const [unwelded, welded] = [C.UNWELDED, C.WELDED].map((weld) =>
-        goishi.meshCounts(stone!, how(of), fineness, weld).vertices) as [number, number];
-      const found = { fineness, figures, unwelded, welded };
+      const found = { fineness, figures };
       cuts.set(key, found);
       return found;
     }
@@ -118,7 +116,9 @@ export const tessellation: Section = {
     }
 
     function show(at: number): void {
-      const { fineness, figures, unwelded, welded } = cut(method.value, at), measures = goishi.measures(stone!);
+      const { fineness, figures } = cut(method.value, at), measures = goishi.measures(stone!);
+      const [unwelded, welded] = [C.UNWELDED, C.WELDED].map((weld) =>
+        goishi.meshCounts(stone!, how(method.value), fineness, weld).vertices) as [number, number];
       shape.reshape(goishi.mesh(stone!, how(method.value), fineness, C.UNWELDED));
       shape.show(look.value);
       const triangles = figures[C.MESH_TRIANGLES]!, deviation = figures[C.MESH_DEVIATION]!, loose = figures[C.MESH_LOOSE_EDGES]!;
@@ -140,7 +140,7 @@ export const tessellation: Section = {
         graph.set(x, all.map((of, i) => x.map((value) => {
           const which = decades[i]!.indexOf(value);
           return which < 0 ? null : 1e6 * of[which]![C.MESH_DEVIATION]!;
-        })), 1, 4.95);
+        })), 1, 4.45);
         graph.now(Math.log10(triangles));
         const other: Method = method.value === "rings" ? "subdivision" : "rings", them = cut(other, at).figures;
         const share = triangles / them[C.MESH_TRIANGLES]!, worse = deviation / them[C.MESH_DEVIATION]!;
