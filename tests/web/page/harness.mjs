@@ -77,11 +77,11 @@ export class Browser {
   /** How long it takes until the page is there   [ms]: by the clock, and of the main thread's processor time. */
   async readyAfter() {
     const context = await this.#browser.newContext();
-    const page = await context.newPage(), session = await context.newCDPSession(page);
-    await session.send("Performance.enable", { timeDomain: "threadTicks" });
+    const page = await context.newPage(), devtools = await context.newCDPSession(page);
+    await devtools.send("Performance.enable", { timeDomain: "threadTicks" });
     await page.goto(this.#file);
     await page.waitForSelector("html[data-ready]");
-    const { metrics } = await session.send("Performance.getMetrics");
+    const { metrics } = await devtools.send("Performance.getMetrics");
     const wall = await page.evaluate(() => Number(document.documentElement.dataset.ready));
     await context.close();
     return { wall, work: 1000 * metrics.find(({ name }) => name === "TaskDuration").value };

@@ -262,18 +262,13 @@ export const drop: Section = {
 
     /** Frames the whole track. */
     function look(): void {
-      const { end, from } = run!;
-      let [x0, x1, y0, y1, top, bottom] = [Infinity, -Infinity, Infinity, -Infinity, 0, 0];
-      for (let i = 0; i <= 40; ++i) {
-        const p = vec(run!.at(from + ((end - from) * i) / 40), C.POSITION).map((value) => 1e3 * value) as [number, number, number];
-        const near = (value: number, limit: number) => Math.min(limit, Math.max(-limit, value));
-        [x0, x1] = [Math.min(x0, near(p[0], 900)), Math.max(x1, near(p[0], 900))];
-        [y0, y1] = [Math.min(y0, near(p[1], 900)), Math.max(y1, near(p[1], 900))];
-        [top, bottom] = [Math.max(top, p[2]), Math.min(bottom, p[2])];
-      }
-      const reach = Math.hypot(x1 - x0, y1 - y0);
-      figure.frame({ target: [(x0 + x1) / 2, (y0 + y1) / 2, bottom < 0 ? (top + bottom) / 2 : Math.max(3, top * 0.32)],
-        azimuth: bottom < 0 ? Math.atan2(y1 + y0, x1 + x0) - 0.5 : -1.05, elevation: 0.36, distance: Math.max(115, 85 + 1.9 * (top - bottom), 90 + 1.5 * reach) });
+      const { end, from } = run!, far = 900; // [mm]
+      const track = Array.from({ length: 41 }, (_, i) => vec(run!.at(from + ((end - from) * i) / 40), C.POSITION)
+        .map((value) => Math.min(far, Math.max(-far, 1e3 * value))) as [number, number, number]);
+      const [low, high] = [Math.min, Math.max].map((of) => [0, 1, 2].map((k) => of(...track.map((p) => p[k]!)))) as [number[], number[]];
+      const middle = (k: number) => (low[k]! + high[k]!) / 2, falls = low[2]! < 0;
+      figure.frame({ target: [middle(0), middle(1), falls ? middle(2) : Math.max(3, 0.32 * high[2]!)], elevation: 0.36, distance: 115,
+        azimuth: falls ? Math.atan2(middle(1), middle(0)) - 0.5 : -1.05 }, track);
     }
 
     function at(of: Loop, time: number): Numbers | null {
