@@ -47,6 +47,7 @@ export const shape: Section = {
     figure.overlay.append(
       el("div", "caption left", { "aria-hidden": "true" }, el("div", "great", {}, what.element), kind),
       el("div", "caption right", { "aria-hidden": "true" }, el("div", "great", {}, weighs.element), el("div", "small", {}, outer.element)), again);
+    again.hidden = !movesByItself();
     iconButton(again, "restart", "show again how it is made", () => play());
     const magnifier = new Magnifier(figure.overlay);
     const first = catalogue.white.find(({ number }) => number === 33)!;

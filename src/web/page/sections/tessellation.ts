@@ -1,5 +1,5 @@
 /** 2 Tessellation. */
-import { ChoiceControl, NumberControl, panel, type Control } from "../controls";
+import { ChoiceControl, iconButton, NumberControl, panel, type Control } from "../controls";
 import { C, Refused, type Numbers } from "../core";
 import { el } from "../dom";
 import { evidence } from "../evidence";
@@ -33,9 +33,12 @@ export const tessellation: Section = {
     const shape = new MeshShape();
     figure.scene.add(shape);
     const great = new Shown("triangles"), off = new Shown("deviation"), sure = el("div", "small");
+    const again = el("div", "corner");
     figure.overlay.append(
       el("div", "caption left", { "aria-hidden": "true" }, el("div", "great", {}, great.element), sure),
-      el("div", "caption right", { "aria-hidden": "true" }, el("div", "great", {}, off.element), el("div", "small", {}, "from the stone, at most")));
+      el("div", "caption right", { "aria-hidden": "true" }, el("div", "great", {}, off.element), el("div", "small", {}, "from the stone, at most")), again);
+    again.hidden = !movesByItself();
+    iconButton(again, "restart", "refine it again", () => refine());
     const refused = el("p", "rule", { role: "alert" });
     wide.append(refused);
     const numbers = new Readout(wide, [

@@ -45,7 +45,7 @@ export class Construction {
   readonly #goishi: Goishi;
   readonly #figure: Figure;
   readonly #shape: StoneShape;
-  readonly #faces = [new CutShape(1), new CutShape(-1)] as const;
+  readonly #faces = [new CutShape(1), new CutShape(-1), new CutShape(1)] as const; // right, left, and where the turn has come to
   readonly #circles = [circle("exact"), circle("exact")] as const;
   readonly #balls = [circle("normal"), circle("normal")] as const;
   readonly #wrong = [circle("published"), circle("published")] as const;
@@ -76,12 +76,12 @@ export class Construction {
     const made = this.#made(stone, r, d, apart, bevel);
     this.#circles.forEach((line, side) => place(line, 0, side === 0 ? -d : d, r));
     const profile = made ? this.#goishi.profile(made, steps) : null;
-    this.#faces.forEach((face, side) => {
-      face.visible = profile !== null && sweep < 2 * Math.PI;
-      if (!profile) return;
-      face.reshape(profile);
-      face.rotation.z = side === 0 || sweep === 0 ? side * Math.PI : sweep; // at rest in the plane, or where the turn has come to
+    const turning = 0 < sweep && sweep < 2 * Math.PI && sweep !== Math.PI;
+    this.#faces.forEach((face, i) => {
+      face.visible = profile !== null && sweep < 2 * Math.PI && (i < 2 || turning);
+      if (profile && face.visible) face.reshape(profile);
     });
+    this.#faces[2].rotation.z = sweep;
     this.#shape.visible = made !== null && sweep > 0;
     if (made && sweep > 0) this.#shape.reshape(this.#goishi, made, sweep);
     const R1 = mm(C.MAJOR_RADIUS), R2 = mm(C.MINOR_RADIUS), ball = settled && R2 > 0;
