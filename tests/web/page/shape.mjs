@@ -91,6 +91,13 @@ export async function test({ browser, cases, native, C }) {
     await page.context().close();
   });
 
+  await case_("an address whose numbers do not go together shows the first picture", async () => {
+    const page = await browser.section("shape", { hash: "#shape?width=10&height=12" });
+    await compare(page, "nonsense", 22, 9.2, 1);
+    expect(await page.locator(`${inside} .wide > .rule`).textContent() === "", "it complains");
+    await page.context().close();
+  });
+
   await case_("handles are pulled", async () => {
     const page = await browser.section("shape");
     for (const [handle, key, dx, dy] of [[".handle.up", "height", 0, -40], [".handle.across", "width", 40, 0]]) {

@@ -87,19 +87,19 @@ export const inertia: Section = {
     wide.append(refused);
 
     // --- controls
-    const [left, right] = panel(wide, "The push", "The stone") as [HTMLElement, HTMLElement];
+    const [push, body] = panel(wide, "The push", "The stone") as [HTMLElement, HTMLElement];
     const changed = () => {
       again();
       remember(place, controls);
     };
     const number = (key: string, label: string, value: number) =>
-      new NumberControl(left, { key, label, unit: "rad/s", least: -30, greatest: 30, step: 0.5, value }, changed);
+      new NumberControl(push, { key, label, unit: "rad/s", least: -30, greatest: 30, step: 0.5, value }, changed);
     const about = number("about", "spin about the axis", 6), across = number("across", "spin across it", 5);
     const choices = el("div", "choices");
-    left.append(choices);
+    push.append(choices);
     const same = new ChoiceControl(choices, { key: "same", label: "both stones get the same", value: "push", choices: [
       { value: "push", label: "push (L)", token: "momentum" }, { value: "spin", label: "spin (ω)", token: "omega" }] }, changed);
-    const size = new ChoiceControl(right, { key: "size", label: "size, white, sharp", value: "33",
+    const size = new ChoiceControl(body, { key: "size", label: "size, white, sharp", value: "33",
       choices: sizes.map((value) => ({ value, label: value })) }, changed);
     const controls: Control[] = [about, across, same, size];
 
@@ -166,8 +166,8 @@ export const inertia: Section = {
     function tell(): void {
       const axial = measures[C.AXIAL_PER_MASS]!, transverse = measures[C.TRANSVERSE_PER_MASS]!;
       const sumAxial = published[C.PUBLISHED_SUM_AXIAL]!, sumTransverse = published[C.PUBLISHED_SUM_TRANSVERSE]!;
-      const low = (wrong: number, right_: number) => {
-        const percent = 100 * (wrong / right_ - 1);
+      const low = (wrong: number, right: number) => {
+        const percent = 100 * (wrong / right - 1);
         return `${digits(Math.abs(percent), 3)} % too ${percent < 0 ? "small" : "large"}`;
       };
       numbers.set("axial", axial, squareCm(axial));
@@ -207,8 +207,8 @@ export const inertia: Section = {
       if (!transport.playing) show(transport.time, true);
     }
 
-    function choose(number_: number): void {
-      const nearest = sizes.reduce((best, each) => (Math.abs(Number(each) - number_) < Math.abs(Number(best) - number_) ? each : best));
+    function choose(at: number): void {
+      const nearest = sizes.reduce((best, each) => (Math.abs(Number(each) - at) < Math.abs(Number(best) - at) ? each : best));
       if (nearest === size.value) return;
       size.value = nearest;
       changed();

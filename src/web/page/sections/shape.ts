@@ -134,8 +134,8 @@ export const shape: Section = {
     let length = 1, along = 0.3, moving: object | null = null; // [mm] of the profile; where the mark is, of it
     const settled = (): Progress => ({ apart: 0, sweep: open.value === "open" ? Math.PI : 2 * Math.PI, bevel: 1 });
 
-    function sizeOf(of_: Shell): number | null {
-      return catalogue[of_].find((one) => one.width === width.value && one.height === height.value)?.number ?? null;
+    function sizeOf(made: Shell): number | null {
+      return catalogue[made].find((one) => one.width === width.value && one.height === height.value)?.number ?? null;
     }
     function take(number: number): void {
       const one = catalogue[shell.value].find((entry) => entry.number === number)!;
@@ -180,9 +180,8 @@ export const shape: Section = {
       numbers.set("mass", m[C.TRUE_MASS]!, `${digits(1e3 * m[C.TRUE_MASS]!, 6)} g`);
       numbers.set("axial", m[C.AXIAL]!, `${digits(1e7 * m[C.AXIAL]!, 6)} g cm²`);
       numbers.set("transverse", m[C.TRANSVERSE]!, `${digits(1e7 * m[C.TRANSVERSE]!, 6)} g cm²`);
-      length = rows.at(-1)![C.ARC]!;
-      curvature.set(rows.map((row) => 1e3 * row[C.ARC]!), [rows.map((row) => 1e-3 * row[C.CURVATURE]!)], 0, 1e3 * length);
-      length *= 1e3;
+      length = 1e3 * rows.at(-1)![C.ARC]!;
+      curvature.set(rows.map((row) => 1e3 * row[C.ARC]!), [rows.map((row) => 1e-3 * row[C.CURVATURE]!)], 0, length);
       const r2 = m[C.MINOR_RADIUS]!;
       jumps.textContent = r2 > 0 ? "Where cap and ball meet, the direction is the same and the bend is not: it jumps by a factor " : "A sharp rim bends without limit.";
       ratio.set(m[C.SPHERE_RADIUS]! / r2, r2 > 0 ? `${fixed(m[C.SPHERE_RADIUS]! / r2, 1)}.` : "");
@@ -207,8 +206,8 @@ export const shape: Section = {
       magnifier.element.hidden = !done;
       if (done) {
         construction.paint(shell.value);
-        const m = measures!, text_ = (place: number) => fixed(1e3 * m[place]!, 2);
-        figure.label = `A Go stone ${open.value === "open" ? "cut open along its axis" : "between the two circles of its faces"}: width ${text_(C.OUTER_WIDTH)} mm, thickness ${text_(C.MEASURE_HEIGHT)} mm, the circles’ radius ${text_(C.SPHERE_RADIUS)} mm.`;
+        const m = measures!, mm = (at: number) => fixed(1e3 * m[at]!, 2);
+        figure.label = `A Go stone ${open.value === "open" ? "cut open along its axis" : "between the two circles of its faces"}: width ${mm(C.OUTER_WIDTH)} mm, thickness ${mm(C.MEASURE_HEIGHT)} mm, the circles’ radius ${mm(C.SPHERE_RADIUS)} mm.`;
       }
       figure.invalidate();
     }
@@ -288,6 +287,9 @@ export const shape: Section = {
       controls,
       update() {
         settle();
+        renew();
+        if (stone) return;
+        for (const control of controls) control.reset(); // an address whose numbers do not go together
         renew();
       },
       enter() {
