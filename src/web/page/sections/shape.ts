@@ -164,10 +164,10 @@ export const shape: Section = {
       }
     }
 
-    function renew(): void {
+    function renew(): boolean {
       const size = sizeOf(shell.value);
       sizePills.mark(size === null ? null : String(size));
-      if (!compute()) return;
+      if (!compute()) return false;
       const m = measures!, mm = (place: number) => 1e3 * m[place]!;
       what.set(m[C.MEASURE_HEIGHT]!, `${digits(mm(C.MEASURE_WIDTH), 4)} × ${digits(mm(C.MEASURE_HEIGHT), 3)} mm`);
       kind.textContent = size === null ? "no size of the catalogue" : `size ${size}, ${shell.value}`;
@@ -188,6 +188,7 @@ export const shape: Section = {
       words();
       draw(settled(), moving === null);
       mark();
+      return true;
     }
 
     function words(): void {
@@ -287,8 +288,7 @@ export const shape: Section = {
       controls,
       update() {
         settle();
-        renew();
-        if (stone) return;
+        if (renew()) return;
         for (const control of controls) control.reset(); // an address whose numbers do not go together
         renew();
       },
