@@ -169,10 +169,10 @@ export const shape: Section = {
       sizePills.mark(size === null ? null : String(size));
       if (!compute()) return false;
       const m = measures!, mm = (place: number) => 1e3 * m[place]!;
-      what.set(m[C.MEASURE_HEIGHT]!, `${digits(mm(C.MEASURE_WIDTH), 4)} × ${digits(mm(C.MEASURE_HEIGHT), 3)} mm`);
+      what.set(m[C.MEASURE_HEIGHT]!, `${digits(mm(of.value === "stone" ? C.OUTER_WIDTH : C.MEASURE_WIDTH), 4)} × ${digits(mm(C.MEASURE_HEIGHT), 3)} mm`);
       kind.textContent = size === null ? "no size of the catalogue" : `size ${size}, ${shell.value}`;
       weighs.set(m[C.TRUE_MASS]!, `${digits(1e3 * m[C.TRUE_MASS]!, 3)} g`);
-      outer.set(m[C.OUTER_WIDTH]!, `finished ${fixed(mm(C.OUTER_WIDTH), 2)} mm wide`);
+      outer.set(m[C.OUTER_WIDTH]!, `lens ${fixed(mm(C.MEASURE_WIDTH), 2)}, finished ${fixed(mm(C.OUTER_WIDTH), 2)} mm`);
       const lengths: [string, number][] = [["sphere-radius", C.SPHERE_RADIUS], ["sphere-offset", C.SPHERE_OFFSET],
         ["major-radius", C.MAJOR_RADIUS], ["minor-radius", C.MINOR_RADIUS]];
       for (const [name, at] of lengths) numbers.set(name, m[at]!, `${fixed(mm(at), 4)} mm`);

@@ -23,9 +23,10 @@ const grouped = (count: number) => String(count).replace(/(\d)(?=(\d{3})+$)/g, "
 export const tessellation: Section = {
   id: "tessellation",
   title: "Tessellation",
-  lead: `A computer draws triangles, so the stone is cut into them: naively, by longitude and latitude, as on a globe; or by
-    halving the edges of a few, again and again, which leaves them near equilateral. Each level has about four times as many
-    triangles, and is four times as close to the <b class="c-exact">exact</b> surface.`,
+  lead: `A computer draws triangles, so the stone is cut into them: naively, by
+    <b class="c-published">longitude and latitude</b>, as on a globe; or by <b class="c-exact">subdivision</b>, which halves the
+    edges of a few again and again, and leaves them near equilateral. Each level has about four times as many triangles, and is
+    four times as close to the stone.`,
 
   start(place) {
     const { goishi, stage, wide, text } = place;
@@ -68,7 +69,7 @@ export const tessellation: Section = {
     left.append(methods);
     const method = new ChoiceControl<Method>(methods, { key: "by", label: "cut by", value: "subdivision", choices: [
       { value: "rings", label: "longitude and latitude", token: "published" }, { value: "subdivision", label: "subdivision", token: "exact" }] }, changed);
-    const bevel = new NumberControl(right, { key: "bevel", label: "bevel’s height", unit: "mm", least: 0, greatest: 6, step: 0.1, value: 1 }, changed);
+    const bevel = new NumberControl(right, { key: "bevel", label: "bevel, its height", unit: "mm", least: 0, greatest: 6, step: 0.1, value: 1 }, changed);
     right.append(looks);
     const look = new ChoiceControl<Look>(looks, { key: "look", label: "drawn", value: "flat", choices: [
       { value: "wire", label: "as wires" }, { value: "flat", label: "shaded flat" }, { value: "smooth", label: "shaded by the surface’s normals" }] }, changed);
