@@ -1,6 +1,6 @@
 // The shape: its numbers are the native library's, and the hand that pulls a handle changes them.
 
-import { atRest, expect, fingerprint, near, pixels, settle, shown } from "./harness.mjs";
+import { atRest, expect, near, pixels, settle, shown } from "./harness.mjs";
 
 const inside = "[data-section=shape]";
 const mass = 1e-12; // is made in long double, of which there are two kinds
@@ -63,13 +63,13 @@ export async function test({ browser, cases, native, C }) {
 
   await case_("the talk's bevel is shown, and is what its function gives", async () => {
     const page = await browser.section("shape");
-    const picture = page.locator(`${inside} .frame`), before = await fingerprint(page, "shape");
+    const picture = page.locator(`${inside} .frame`), before = await atRest(page, picture);
     await page.locator(`${inside} input[data-name=talk]`).check();
     const published = await compare(page, "with the talk's", 22, 9.2, 1);
     const now = await shown(page, "shape");
     expect(Number(now["published-minor-radius"]) === published[C.PUBLISHED_MINOR_RADIUS], now["published-minor-radius"]);
     expect((await page.locator(`${inside} .after`).textContent()).includes("−5.85 mm"), "the words do not say −5.85 mm");
-    expect(await fingerprint(page, "shape") !== before, "nothing is drawn of it");
+    expect(!(await atRest(page, picture)).equals(before), "nothing is drawn of it");
     expect((await pixels(page, picture)).colors > 100, "there is no picture");
     await page.context().close();
   });
