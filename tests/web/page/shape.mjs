@@ -63,6 +63,7 @@ export async function test({ browser, cases, native, C }) {
 
   await case_("the talk's bevel is shown, and is what its function gives", async () => {
     const page = await browser.section("shape");
+    await page.addStyleTag({ content: ".overlay { visibility: hidden }" }); // it is to be drawn, and not only named
     const picture = page.locator(`${inside} .frame`), before = await atRest(page, picture);
     await page.locator(`${inside} input[data-name=talk]`).check();
     const published = await compare(page, "with the talk's", 22, 9.2, 1);
