@@ -129,18 +129,6 @@ export async function fingerprint(page, id) {
   return hash.digest("hex");
 }
 
-/** A picture that has come to rest: on a busy machine the last and finest one may be late. */
-export async function atRest(page, locator) {
-  let last = await locator.screenshot();
-  for (let tries = 0; tries < 20; ++tries) {
-    await page.waitForTimeout(400);
-    const now = await locator.screenshot();
-    if (now.equals(last)) break;
-    last = now;
-  }
-  return last;
-}
-
 /** What a picture holds: how many colours, and how much of it is not like its edge. */
 export async function pixels(page, locator) {
   const bytes = (await locator.screenshot()).toString("base64");
