@@ -19,7 +19,7 @@ import { Matrix, squareCm } from "./inertia/matrix";
 const sizes = ["22", "25", "28", "30", "31", "32", "33", "34", "35", "36", "37", "38", "39", "40"] as const;
 const end = 10;              // [s]
 const samples = 600;         // of it
-const beside = 21;           // [mm] of each stone from the middle
+const beside = 20;           // [mm] of each stone from the middle
 const reach = 15.5;          // [mm] where the tip of the axis is traced
 const ground = -19;          // [mm]
 

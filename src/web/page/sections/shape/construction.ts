@@ -51,7 +51,7 @@ export class Construction {
   readonly #wrong = [circle("published"), circle("published")] as const;
   readonly #inside = new TrailShape("soft", 1.3);
   readonly #normal = new ArrowShape("ink", { thick: 0.13 });
-  readonly #tags = { r: tag("r"), d: tag("d"), wrong: tag("r<sub>2</sub> of the talk", "c-published"), ball: tag("r<sub>2</sub>", "c-normal") };
+  readonly #tags = { r: tag("r"), d: tag("d"), wrong: tag("r<sub>2</sub>, wrong", "c-published"), ball: tag("r<sub>2</sub>", "c-normal") };
   readonly #dot = el("span", "dot");
 
   constructor(goishi: Goishi, figure: Figure, stone: Numbers) {
@@ -95,7 +95,7 @@ export class Construction {
     pin(this.#tags.r, open ? [-0.5 * r * Math.sin(slant), front, -d + 0.5 * r * Math.cos(slant)] : null);
     pin(this.#tags.d, open && d > 2 ? [0.9, front, -d / 2] : null);
     pin(this.#tags.ball, ball && !wrong ? [-R1 - R2 - 1.3, front, 0] : null);
-    pin(this.#tags.wrong, wrong ? [-wrong[0], front, Math.abs(wrong[1]) + 1.2] : null);
+    pin(this.#tags.wrong, wrong ? [-wrong[0] + 0.75 * Math.abs(wrong[1]), front, Math.abs(wrong[1]) + 0.6] : null);
     pin(this.pole, settled ? [0, front, mm(C.MEASURE_HEIGHT) / 2 + 2] : null);
     pin(this.rim, settled ? [mm(C.OUTER_WIDTH) / 2 + 2, front, 0] : null);
   }
