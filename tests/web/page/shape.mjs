@@ -1,6 +1,6 @@
 // The shape: its numbers are the native library's, and the hand that pulls a handle changes them.
 
-import { expect, near, settle, shown } from "./harness.mjs";
+import { difference, expect, near, settle, shown } from "./harness.mjs";
 
 const inside = "[data-section=shape]";
 const mass = 1e-12; // is made in long double, of which there are two kinds
@@ -15,18 +15,6 @@ export async function test({ browser, cases, native, C }) {
     await settle(page);
     return frame.screenshot();
   };
-  /** How many pixels of it are nearly of a colour. */
-  const ofColor = async (page, color) => page.evaluate(async ([data, wanted]) => {
-    const image = new Image();
-    image.src = `data:image/png;base64,${data}`;
-    await image.decode();
-    const context = Object.assign(document.createElement("canvas"), { width: image.width, height: image.height }).getContext("2d", { willReadFrequently: true });
-    context.drawImage(image, 0, 0);
-    const all = context.getImageData(0, 0, image.width, image.height).data;
-    let count = 0;
-    for (let i = 0; i < all.length; i += 4) if (wanted.every((value, k) => Math.abs(value - all[i + k]) < 12)) ++count;
-    return count;
-  }, [(await picture(page)).toString("base64"), color]);
   const natively = async (width, height, bevel, measured = 0, density = 2800) => {
     const stone = [width / 1e3, height / 1e3, bevel / 1e3, measured, density, 0];
     const [measures] = await native.call("measures", stone, { out: C.MEASURES_SIZE });
@@ -82,14 +70,13 @@ export async function test({ browser, cases, native, C }) {
   await case_("the talk's bevel is shown, and is what its function gives", async () => {
     const page = await browser.section("shape");
     await page.addStyleTag({ content: ".overlay { visibility: hidden }" }); // it is to be drawn, and not only named
-    const orange = [0xb5, 0x36, 0x0d];
-    expect(await ofColor(page, orange) === 0, "it is there already");
+    const before = await picture(page);
     await page.locator(`${inside} input[data-name=talk]`).check();
     const published = await compare(page, "with the talk's", 22, 9.2, 1);
     const now = await shown(page, "shape");
     expect(Number(now["published-minor-radius"]) === published[C.PUBLISHED_MINOR_RADIUS], now["published-minor-radius"]);
     expect((await page.locator(`${inside} .after`).textContent()).includes("−5.85 mm"), "the words do not say −5.85 mm");
-    const drawn = await ofColor(page, orange);
+    const drawn = await difference(page, before, await picture(page));
     expect(drawn > 500, `${drawn} pixels are drawn of it`);
     await page.context().close();
   });
@@ -105,7 +92,7 @@ export async function test({ browser, cases, native, C }) {
     const said = await page.locator(`${inside} .wide > .rule`).textContent(), now = await shown(page, "shape");
     expect(said.includes("height = 0.012: must not exceed the width (0.01)"), `it says “${said}”`);
     expect(JSON.stringify({ ...now, height: JSON.parse(before).height }) === before, "the numbers have changed");
-    expect((await picture(page)).equals(good), "the picture has changed");
+    expect(await difference(page, good, await picture(page)) === 0, "the picture has changed");
     await field(page, "height").fill("9.2");
     expect(await page.locator(`${inside} .wide > .rule`).textContent() === "", "the rule stays");
     await compare(page, "mended", 10, 9.2, 1);
@@ -155,7 +142,7 @@ export async function test({ browser, cases, native, C }) {
     await page.waitForTimeout(400);
     const first = await frame.screenshot();
     await page.waitForTimeout(700);
-    expect(!(await frame.screenshot()).equals(first), "nothing moves");
+    expect(await difference(page, first, await frame.screenshot()) > 100, "nothing moves");
     const there = () => page.locator(`${inside} .handle.up`).evaluate((handle) => !handle.hidden);
     expect(!(await there()), "handles are there already");
     await page.locator(`${inside} .picture`).focus();
