@@ -90,6 +90,29 @@ enum {
 /// Calls  make_stone or make_measured_stone, mass_properties.   Result  `measures[GOISHI_MEASURES_SIZE]`.
 GOISHI_API int goishi_measures(const double* stone, size_t stone_size, double* measures, size_t measures_size);
 
+/// What the talk gives of a stone, to compare with: its formulas for the lens that generates it.
+enum {
+  GOISHI_PUBLISHED_MAJOR_RADIUS = 0,  ///< r₁ [m] by its bevel function
+  GOISHI_PUBLISHED_MINOR_RADIUS = 1,  ///< r₂ [m], < 0
+  GOISHI_PUBLISHED_VOLUME = 2,        ///< V' [m³], of lengths in cm taken as cm³
+  GOISHI_PUBLISHED_AXIAL = 3,         ///< I_a/m [m²] by its closed form, which is right, over V'
+  GOISHI_PUBLISHED_SUM_AXIAL = 4,     ///< I_a/m [m²] by its sum over nodes, as printed
+  GOISHI_PUBLISHED_SUM_TRANSVERSE = 5,
+  GOISHI_PUBLISHED_SUM_NODES = 6,
+  GOISHI_PUBLISHED_MEASURES_SIZE = 7
+};
+
+/// Calls   published_bevel, published_volume, published_tensor.
+/// Domain  a stone no thinner than 1 µm and no wider than 10 cm, for the sum.
+/// Result  `published[GOISHI_PUBLISHED_MEASURES_SIZE]`.
+GOISHI_API int goishi_published_measures(const double* stone, size_t stone_size, double* published,
+                                         size_t published_size);
+
+/// The inertia tensor of a stone that stands somewhere, about the origin of W, in W   [kg m²].
+/// Calls  inertia_tensor.   Sizes  GOISHI_POSE_SIZE, 9 (row by row).
+GOISHI_API int goishi_tensor(const double* stone, size_t stone_size, const double* pose, size_t pose_size,
+                             double* tensor, size_t tensor_size);
+
 /// A point of the meridian, in the half plane of the axis Bz and the radius ρ.
 enum {
   GOISHI_ARC = 0,         ///< [m] along the meridian from the upper pole
@@ -188,6 +211,15 @@ enum { GOISHI_LINEAR = 0, GOISHI_ANGULAR = 1, GOISHI_BOTH = 2 };
 GOISHI_API int goishi_free_flight(const double* stone, size_t stone_size, const double* state, size_t state_size,
                                   const double* gravity, size_t gravity_size, int freedom, double time, double* motion,
                                   size_t motion_size);
+
+/// Principal moments of any body with a symmetry axis   [kg m²].
+enum { GOISHI_MOMENT_AXIAL = 0, GOISHI_MOMENT_TRANSVERSE = 1, GOISHI_MOMENTS_SIZE = 2 };
+
+/// How such a body has turned after a time [s] free of torque, exactly: attitude, and angular velocity in W [rad/s].
+/// Calls  free_flight.   Sizes  GOISHI_MOMENTS_SIZE, 4 (q_WB), 3 (L_W), 7.
+GOISHI_API int goishi_free_rotation(const double* moments, size_t moments_size, const double* attitude,
+                                    size_t attitude_size, const double* momentum, size_t momentum_size, double time,
+                                    double* rotation, size_t rotation_size);
 
 /// Schemes that go step by step, the exact one among them.
 enum {

@@ -72,6 +72,24 @@ int goishi_free_flight(const double* stone, size_t stone_size, const double* sta
   });
 }
 
+int goishi_free_rotation(const double* moments, size_t moments_size, const double* attitude, size_t attitude_size,
+                         const double* momentum, size_t momentum_size, double time, double* rotation,
+                         size_t rotation_size) {
+  return guarded([&] {
+    const auto [axial, transverse] = read<GOISHI_MOMENTS_SIZE>("moments", moments, moments_size);
+    const auto [q_w, q_x, q_y, q_z] = read<4>("attitude", attitude, attitude_size);
+    const Vec L_W = read_vector("momentum", momentum, momentum_size);
+    require_array("rotation", rotation, rotation_size, 7);
+    const Moments<double> body{.axial = axial, .transverse = transverse};
+    const State<double> start{
+        .p_WB = Vec::Zero(), .q_WB = Quat<double>(q_w, q_x, q_y, q_z), .v_WB = Vec::Zero(), .L_W = L_W};
+    const State<double> there = free_flight(start, make_top_rates(body), Vec(Vec::Zero()), time, Freedom::angular);
+    std::vector<double> row;
+    Row(row) << there.q_WB << formula::angular_velocity_W(there, make_rigid_body(1.0, body));
+    write(row, rotation);
+  });
+}
+
 int goishi_flight(const double* stone, size_t stone_size, const double* state, size_t state_size, const double* gravity,
                   size_t gravity_size, int freedom, int scheme, double step, int steps, double* rows, size_t rows_size,
                   size_t* done, int* ended) {

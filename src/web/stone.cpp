@@ -1,8 +1,11 @@
 #include <cstddef>
 #include <cstdint>
+#include <goishi/mass/tensor.hpp>
 #include <goishi/mesh/deviation.hpp>
 #include <goishi/mesh/mesh_mass.hpp>
 #include <goishi/mesh/tessellation.hpp>
+#include <goishi/published/bevel.hpp>
+#include <goishi/published/inertia.hpp>
 #include <goishi/shape/catalogue.hpp>
 #include <goishi/shape/surface.hpp>
 #include <vector>
@@ -72,6 +75,37 @@ int goishi_measures(const double* stone, size_t stone_size, double* measures, si
            mass.volume, mass.surface_area, mass.density, mass.mass, mass.moments.axial, mass.moments.transverse,
            mass.moments_per_mass.axial, mass.moments_per_mass.transverse},
           measures);
+  });
+}
+
+int goishi_published_measures(const double* stone, size_t stone_size, double* published, size_t published_size) {
+  return guarded([&] {
+    const Stone<double> shape = read_stone("stone", stone, stone_size).stone;
+    require_array("published", published, published_size, GOISHI_PUBLISHED_MEASURES_SIZE);
+    const double w = shape.width, h = shape.height;
+    require(1e-6 <= h, "height", h, "must be at least 1e-6");
+    require(w <= 0.1, "width", w, "must be at most 0.1");
+    const PublishedBevel<double> bevel = published_bevel(shape.sphere_radius, shape.sphere_offset, shape.bevel);
+    constexpr double cm = 100.0, square_cm = cm * cm, cubic_cm = cm * square_cm;
+    const double volume = published_volume(cm * shape.sphere_radius, cm * shape.sphere_offset) / cubic_cm;
+    const PublishedTensor sum = published_tensor(static_cast<float>(cm * w), static_cast<float>(cm * h));
+    const double axial = mass_properties(make_stone(w, h), Density{1.0}).moments.axial;
+    write({bevel.major_radius, bevel.minor_radius, volume, axial / volume, sum.y / square_cm, sum.x / square_cm,
+           static_cast<double>(sum.nodes)},
+          published);
+  });
+}
+
+int goishi_tensor(const double* stone, size_t stone_size, const double* pose, size_t pose_size, double* tensor,
+                  size_t tensor_size) {
+  return guarded([&] {
+    const MassProperties<double> mass = read_stone("stone", stone, stone_size).mass;
+    const Pose<double> there = read_pose("pose", pose, pose_size);
+    require_array("tensor", tensor, tensor_size, 9);
+    const Mat3<double> found = inertia_tensor(mass, there.q_WB, there.p_WB);
+    std::vector<double> rows;
+    Row(rows) << Vec(found.row(0)) << Vec(found.row(1)) << Vec(found.row(2));
+    write(rows, tensor);
   });
 }
 

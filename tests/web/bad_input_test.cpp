@@ -165,6 +165,10 @@ TEST(BadCall, TheRulesOfWhatArraysStandFor) {
   expect_refused("goishi_measures", "stone", GOISHI_DENSITY, -1.0, "density = -1: ");
   expect_refused("goishi_measures", "stone", GOISHI_DENSITY, 0.0, "density = 0: ");
   expect_refused("goishi_measures", "stone", GOISHI_MASS, 0.005, "density = 2800: must be 0 where the mass is given");
+  expect_refused("goishi_published_measures", "stone", GOISHI_WIDTH, 0.11, "width = 0.11: must be at most 0.1");
+  expect_refused("goishi_tensor", "pose", GOISHI_ATTITUDE, 0.81, "attitude = ");
+  expect_refused("goishi_free_rotation", "moments", GOISHI_MOMENT_AXIAL, 3e-7, "axial = 3e-07: ");
+  expect_refused("goishi_free_rotation", "attitude", 0, 0.81, "attitude = ");
   expect_refused("goishi_free_flight", "state", GOISHI_ATTITUDE, 0.81, "attitude = ");
   expect_refused("goishi_free_flight", "state", GOISHI_VELOCITY, infinity, "velocity = inf: ");
   expect_refused("goishi_separation", "ground", 2, 1.1, "normal = 1.1: ", GOISHI_PLANE_SIZE);

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <goishi/mass/tensor.hpp>
 #include <goishi/mesh/deviation.hpp>
 #include <goishi/mesh/mesh_mass.hpp>
 #include <goishi/mesh/tessellation.hpp>
 #include <goishi/motion/steppers.hpp>
+#include <goishi/published/bevel.hpp>
+#include <goishi/published/inertia.hpp>
 #include <goishi/shape/catalogue.hpp>
 #include <limits>
 #include <vector>
@@ -45,6 +48,44 @@ TEST(CInterface, Catalogue) {
       EXPECT_DONE(goishi_catalogue_stone(size.number, static_cast<int>(color), 0.001, AS_ARRAY(got)));
       expect_same(got, {shape.width, shape.height, 0.001, 0.0, static_cast<double>(entry.density), 0.0}, "catalogue");
     }
+  }
+}
+
+TEST(CInterface, PublishedMeasures) {
+  Scenes scenes;
+  for (int i = 0; i < 20; ++i) {
+    const Scene scene = scenes.next();
+    const double w = scene.shape.width, h = scene.shape.height, r = scene.shape.sphere_radius,
+                 d = scene.shape.sphere_offset;
+    List got(GOISHI_PUBLISHED_MEASURES_SIZE);
+    EXPECT_DONE(goishi_published_measures(AS_ARRAY(scene.stone), AS_ARRAY(got)));
+    const PublishedBevel<double> bevel = published_bevel(r, d, scene.shape.bevel);
+    const PublishedTensor sum = published_tensor(static_cast<float>(100.0 * w), static_cast<float>(100.0 * h));
+    const double volume = published_volume(100.0 * r, 100.0 * d) / 1e6;
+    const double axial = mass_properties(make_stone(w, h), Density{1.0}).moments.axial;
+    expect_same(got,
+                {bevel.major_radius, bevel.minor_radius, volume, axial / volume, sum.y / 1e4, sum.x / 1e4,
+                 static_cast<double>(sum.nodes)},
+                "published");
+  }
+  // What the talk printed of size 33, in cm².
+  List got(GOISHI_PUBLISHED_MEASURES_SIZE);
+  EXPECT_DONE(goishi_published_measures(AS_ARRAY((List{0.022, 0.0092, 0.001, 0.0, 2800.0, 0.0})), AS_ARRAY(got)));
+  EXPECT_NEAR(1e4 * got[GOISHI_PUBLISHED_SUM_AXIAL], 0.304776, 5e-7);
+  EXPECT_NEAR(1e4 * got[GOISHI_PUBLISHED_SUM_TRANSVERSE], 0.177721, 5e-7);
+  EXPECT_NEAR(1e4 * got[GOISHI_PUBLISHED_AXIAL], 0.303588, 5e-7);
+  EXPECT_NEAR(1e3 * got[GOISHI_PUBLISHED_MINOR_RADIUS], -5.85, 0.005);
+}
+
+TEST(CInterface, Tensor) {
+  Scenes scenes;
+  for (int i = 0; i < 100; ++i) {
+    const Scene scene = scenes.next();
+    List got(9), expected;
+    EXPECT_DONE(goishi_tensor(AS_ARRAY(scene.stone), AS_ARRAY(scene.pose_list()), AS_ARRAY(got)));
+    const Mat3<double> tensor = inertia_tensor(scene.mass, scene.start.q_WB, scene.start.p_WB);
+    expected << Vec(tensor.row(0)) << Vec(tensor.row(1)) << Vec(tensor.row(2));
+    expect_same(got, expected, "tensor");
   }
 }
 
@@ -166,6 +207,25 @@ TEST(CInterface, FreeFlight) {
                                    static_cast<int>(freedom), time, AS_ARRAY(got)));
     expect_same(got, motion(free_flight(scene.start, scene.mass.moments, g_W, time, freedom), scene.body(), g_W),
                 "motion");
+  }
+}
+
+TEST(CInterface, FreeRotation) {
+  Scenes scenes;
+  for (int i = 0; i < 100; ++i) {
+    const Scene scene = scenes.next();
+    const double time = scenes.between(-2.0, 2.0);
+    const List moments = {scene.mass.moments.axial, scene.mass.moments.transverse};
+    const List attitude(scene.state.begin() + GOISHI_ATTITUDE, scene.state.begin() + GOISHI_POSE_SIZE);
+    const List momentum(scene.state.begin() + GOISHI_MOMENTUM, scene.state.end());
+    List rotation(7), whole(GOISHI_MOTION_SIZE);
+    EXPECT_DONE(
+        goishi_free_rotation(AS_ARRAY(moments), AS_ARRAY(attitude), AS_ARRAY(momentum), time, AS_ARRAY(rotation)));
+    EXPECT_DONE(goishi_free_flight(AS_ARRAY(scene.stone), AS_ARRAY(scene.state), AS_ARRAY(gravity), GOISHI_ANGULAR,
+                                   time, AS_ARRAY(whole)));
+    List expected(whole.begin() + GOISHI_ATTITUDE, whole.begin() + GOISHI_POSE_SIZE);
+    expected.insert(expected.end(), whole.begin() + GOISHI_ANGULAR_VELOCITY, whole.begin() + GOISHI_ENERGY);
+    expect_same(rotation, expected, "rotation");
   }
 }
 

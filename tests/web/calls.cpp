@@ -2,7 +2,6 @@
 
 #include <climits>
 #include <cstdlib>
-#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -63,6 +62,20 @@ std::vector<Call> shape_calls() {
        {},
        [](const Views& a, const Wholes&, const Scalars&) {
          return goishi_measures(a[0].numbers(), a[0].size, a[1].numbers(), a[1].size);
+       }},
+      {"goishi_published_measures",
+       {in("stone", stone), out("published", GOISHI_PUBLISHED_MEASURES_SIZE)},
+       {},
+       {},
+       [](const Views& a, const Wholes&, const Scalars&) {
+         return goishi_published_measures(a[0].numbers(), a[0].size, a[1].numbers(), a[1].size);
+       }},
+      {"goishi_tensor",
+       {in("stone", stone), in("pose", pose), out("tensor", 9)},
+       {},
+       {},
+       [](const Views& a, const Wholes&, const Scalars&) {
+         return goishi_tensor(a[0].numbers(), a[0].size, a[1].numbers(), a[1].size, a[2].numbers(), a[2].size);
        }},
       {"goishi_profile",
        {in("stone", stone), out("rows", std::size_t{3 * 5 * GOISHI_PROFILE_SIZE}, true)},
@@ -132,6 +145,15 @@ std::vector<Call> motion_calls() {
        [](const Views& a, const Wholes& i, const Scalars& x) {
          return goishi_free_flight(a[0].numbers(), a[0].size, a[1].numbers(), a[1].size, a[2].numbers(), a[2].size,
                                    as_int(i[0]), x[0], a[3].numbers(), a[3].size);
+       }},
+      {"goishi_free_rotation",
+       {in("moments", {2e-7, 1.2e-7}), in("attitude", {0.8, 0.6, 0.0, 0.0}), in("momentum", {1e-6, -2e-6, 3e-6}),
+        out("rotation", 7)},
+       {},
+       {{"time", -0.25, {infinity, -infinity, nan}}},
+       [](const Views& a, const Wholes&, const Scalars& x) {
+         return goishi_free_rotation(a[0].numbers(), a[0].size, a[1].numbers(), a[1].size, a[2].numbers(), a[2].size,
+                                     x[0], a[3].numbers(), a[3].size);
        }},
       {"goishi_flight",
        {in("stone", stone), in("state", state), in("gravity", gravity),
@@ -296,24 +318,6 @@ std::vector<Call> drop_calls() {
   };
 }
 
-std::size_t element_size(Kind kind) {
-  switch (kind) {
-    case Kind::numbers:
-      return sizeof(double);
-    case Kind::ints:
-    case Kind::integer:
-      return sizeof(int);
-    case Kind::corners:
-      return sizeof(std::uint32_t);
-    case Kind::size:
-      return sizeof(std::size_t);
-    case Kind::drop:
-    case Kind::new_drop:
-      break;
-  }
-  return sizeof(goishi_drop*);
-}
-
 }  // namespace
 
 std::vector<Call> all_calls() {
@@ -335,65 +339,6 @@ goishi_drop* falling_drop() {
     std::abort();
   }
   return drop;
-}
-
-Memory::Memory(const Array& array)
-    : count_(array.values.size()),
-      size_(count_ * element_size(array.kind)),
-      kind_(array.kind),
-      data_(new unsigned char[size_]) {
-  if (kind_ == Kind::drop) {
-    drop_ = falling_drop();
-    return;
-  }
-  for (std::size_t i = 0; i < count_; ++i) {
-    const double value = array.values[i];
-    const auto put = [&](const auto& element) {
-      std::memcpy(data_.get() + i * sizeof(element), &element, sizeof(element));
-    };
-    switch (kind_) {
-      case Kind::numbers:
-        put(value);
-        break;
-      case Kind::ints:
-      case Kind::integer:
-        put(static_cast<int>(value));
-        break;
-      case Kind::corners:
-        put(static_cast<std::uint32_t>(value));
-        break;
-      case Kind::size:
-        put(static_cast<std::size_t>(value));
-        break;
-      case Kind::drop:
-      case Kind::new_drop:
-        put(static_cast<goishi_drop*>(nullptr));
-        break;
-    }
-  }
-}
-
-Memory::Memory(Memory&& other) noexcept
-    : count_(other.count_),
-      size_(other.size_),
-      kind_(other.kind_),
-      data_(std::move(other.data_)),
-      drop_(std::exchange(other.drop_, nullptr)) {}
-
-Memory::~Memory() {
-  if (data_ && kind_ == Kind::new_drop) {
-    std::memcpy(&drop_, data_.get(), sizeof(drop_));
-  }
-  goishi_drop_free(drop_);
-}
-
-View Memory::view() const {
-  return {.pointer = kind_ == Kind::drop ? static_cast<void*>(drop_) : static_cast<void*>(data_.get()), .size = count_};
-}
-
-std::vector<unsigned char> Memory::bytes() const {
-  return kind_ == Kind::drop ? std::vector<unsigned char>{}
-                             : std::vector<unsigned char>(data_.get(), data_.get() + size_);
 }
 
 }  // namespace goishi::web_test

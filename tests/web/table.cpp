@@ -9,138 +9,17 @@
 /// a bevelled one from an arc tangent. The function "drop" is `goishi_drop_create`, `_advance` and `_info`.
 
 #include <array>
-#include <bit>
-#include <cinttypes>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <functional>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "case.hpp"
 #include "goishi.h"
 
 namespace {
-
-using List = std::vector<double>;
-
-struct Group {
-  int begin, count;
-  double scale;  // 0: to the last bit
-};
-
-void print(double value) {
-  std::printf("\"%016" PRIx64 "\"", std::bit_cast<std::uint64_t>(value));
-}
-
-void print(const List& list) {
-  std::printf("[");
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    std::printf(i == 0 ? "" : ",");
-    print(list[i]);
-  }
-  std::printf("]");
-}
-
-/// One case, printed argument by argument.
-class Case {
- public:
-  explicit Case(const char* function) {
-    std::printf("%s{\"function\":\"%s\",\"arguments\":[", count++ == 0 ? "[\n" : ",\n", function);
-  }
-
-  Case& in(const List& list) {
-    begin("in");
-    print(list);
-    return end();
-  }
-  Case& out(std::size_t size) {
-    begin("out");
-    std::printf("%zu", size);
-    return end();
-  }
-  Case& ints(const std::vector<int>& list) {
-    begin("ints");
-    std::printf("[");
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      std::printf(i == 0 ? "%d" : ",%d", list[i]);
-    }
-    std::printf("]");
-    return end();
-  }
-  Case& whole(int value) {
-    begin("whole");
-    std::printf("%d", value);
-    return end();
-  }
-  Case& number(double value) {
-    begin("number");
-    print(value);
-    return end();
-  }
-  /// A pointer to one integer that the function sets.
-  Case& one() {
-    begin("one");
-    std::printf("0");
-    return end();
-  }
-
-  void gives(int status, const List& result, const std::vector<List>& stones, const std::vector<Group>& groups) {
-    if (status != GOISHI_OK) {
-      std::fprintf(stderr, "case %d: %s\n", count, goishi_message());
-      std::exit(1);
-    }
-    std::printf("],\"result\":");
-    print(result);
-    std::printf(",\"stones\":[");
-    for (std::size_t i = 0; i < stones.size(); ++i) {
-      List measures(GOISHI_MEASURES_SIZE);
-      static_cast<void>(goishi_measures(stones[i].data(), stones[i].size(), measures.data(), measures.size()));
-      std::printf(i == 0 ? "{\"stone\":" : ",{\"stone\":");
-      print(stones[i]);
-      std::printf(",\"measures\":");
-      print(measures);
-      std::printf("}");
-    }
-    std::printf("],\"groups\":[");
-    int next = 0;
-    for (std::size_t i = 0; i < groups.size(); ++i) {
-      std::printf(i == 0 ? "[%d,%d," : ",[%d,%d,", groups[i].begin, groups[i].count);
-      if (groups[i].scale == 0.0) {
-        std::printf("null]");
-      } else {
-        std::printf("%.17g]", groups[i].scale);
-      }
-      if (groups[i].begin != next) {
-        std::fprintf(stderr, "case %d: the groups leave numbers out\n", count);
-        std::exit(1);
-      }
-      next = groups[i].begin + groups[i].count;
-    }
-    if (next != static_cast<int>(result.size())) {
-      std::fprintf(stderr, "case %d: the groups are not of all numbers\n", count);
-      std::exit(1);
-    }
-    std::printf("]}");
-  }
-
-  static int count;
-
- private:
-  void begin(const char* kind) {
-    std::printf(first_ ? "{\"%s\":" : ",{\"%s\":", kind);
-    first_ = false;
-  }
-  Case& end() {
-    std::printf("}");
-    return *this;
-  }
-
-  bool first_ = true;
-};
-
-int Case::count = 0;
 
 constexpr double w = 0.02, v = 0.5, L = 1e-6, spin = 50.0, E = 1e-3;  // scales of a stone, to which errors are relative
 
@@ -235,6 +114,26 @@ int main() {
       groups.push_back({k, 1, 1e-300});
     }
     Case("goishi_measures").in(stone).out(measures.size()).gives(status, measures, {}, groups);
+  }
+  Samples others;  // so that the cases below stay as they are
+  for (int i = 0; i < 20; ++i) {
+    const List stone = others.stone(), state = others.state(), pose = pose_of(state);
+    List published(GOISHI_PUBLISHED_MEASURES_SIZE), tensor(9), rotation(7);
+    int status = goishi_published_measures(AS_ARRAY(stone), AS_ARRAY(published));
+    std::vector<Group> groups = {{0, 3, 0.0}, {3, 1, 1e-300}, {4, 3, 0.0}};
+    Case("goishi_published_measures").in(stone).out(published.size()).gives(status, published, {}, groups);
+    status = goishi_tensor(AS_ARRAY(stone), AS_ARRAY(pose), AS_ARRAY(tensor));
+    Case("goishi_tensor").in(stone).in(pose).out(9).gives(status, tensor, {stone}, {{0, 9, 0.0}});
+    const List moments = {2e-7, others.between(1.1e-7, 3e-7)}, attitude(state.begin() + 3, state.begin() + 7),
+               momentum(state.begin() + GOISHI_MOMENTUM, state.end());
+    status = goishi_free_rotation(AS_ARRAY(moments), AS_ARRAY(attitude), AS_ARRAY(momentum), 0.25, AS_ARRAY(rotation));
+    Case("goishi_free_rotation")
+        .in(moments)
+        .in(attitude)
+        .in(momentum)
+        .number(0.25)
+        .out(7)
+        .gives(status, rotation, {}, {{0, 4, 1.0}, {4, 3, spin}});
   }
   for (int i = 0; i < 150; ++i) {
     const List stone = samples.stone(), other = samples.stone(), state = samples.state(), other_state = samples.state();

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <goishi/published/bevel.hpp>
 #include <optional>
 
 #include "verify/certify/printed.hpp"
 #include "verify/certify/witness.hpp"
-#include "verify/oracles/published/bevel.hpp"
 
 namespace goishi::verify::certify {
 
@@ -88,7 +88,7 @@ std::vector<Sentence> exact_results(std::string_view document) {
   const Ball w = metres<Ball>(size_33.width), h = metres<Ball>(size_33.height),
              b = metres<Ball>(catalogue::table_bevel);
   const Meridian lens = lens_meridian(w, h);
-  const PublishedBevel<Ball> published(lens.sphere_radius, lens.sphere_offset, b);
+  const PublishedBevel<Ball> published = published_bevel(lens.sphere_radius, lens.sphere_offset, b);
   const SpinningCap<Ball> spinning = spinning_cap(size_33, decimal("9.80665"));
   // The middle of the class 33, which goes to the 34, and its lower bound.
   const CatalogueStone size_34 = catalogue_stone(34, StoneColor::white);

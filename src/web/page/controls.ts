@@ -245,6 +245,28 @@ export class ChoiceControl<V extends string> implements Control {
   }
 }
 
+/** Ready-made settings of other controls, as pills: what is chosen is no state of its own, so none need be marked. */
+export class Presets<V extends string> {
+  readonly element: HTMLElement;
+  readonly #inputs = new Map<V, HTMLInputElement>();
+
+  constructor(host: HTMLElement, options: { name: string; label: string; choices: readonly Choice<V>[] }, choose: (value: V) => void) {
+    const group = fresh(options.name);
+    this.element = el("fieldset", "pills starts", {}, el("legend", "unseen", {}, options.label));
+    for (const { value, label } of options.choices) {
+      const input = el("input", "", { type: "radio", name: group, value, "data-name": options.name });
+      input.addEventListener("change", () => choose(value));
+      this.#inputs.set(value, input);
+      this.element.append(el("label", "pill", {}, input, label));
+    }
+    host.append(this.element);
+  }
+
+  mark(chosen: V | null): void {
+    for (const [value, input] of this.#inputs) input.checked = value === chosen;
+  }
+}
+
 /** Yes or no. */
 export class SwitchControl implements Control {
   readonly key: string;

@@ -103,6 +103,15 @@ export class Goishi {
     return this.#numbers("measures", stone, doubles(C.MEASURES_SIZE));
   }
 
+  publishedMeasures(stone: Numbers): Numbers {
+    return this.#numbers("published_measures", stone, doubles(C.PUBLISHED_MEASURES_SIZE));
+  }
+
+  /** In W, row by row, about its origin. */
+  tensor(stone: Numbers, pose: Numbers | readonly number[]): Numbers {
+    return this.#numbers("tensor", stone, pose, doubles(9));
+  }
+
   /** Rows of PROFILE_SIZE. */
   profile(stone: Numbers, steps: number): Numbers {
     const parts = stone[C.BEVEL] === 0 ? 2 : 3;
@@ -120,9 +129,13 @@ export class Goishi {
     return this.#numbers("mesh_figures", stone, method, fineness, weld, doubles(C.MESH_FIGURES_SIZE));
   }
 
+  meshCounts(stone: Numbers, method: number, fineness: Int32Array, weld: number): { vertices: number; triangles: number } {
+    const [vertices, triangles] = this.#call("mesh_counts", stone, method, fineness, weld, one, one);
+    return { vertices: vertices![0]!, triangles: triangles![0]! };
+  }
+
   mesh(stone: Numbers, method: number, fineness: Int32Array, weld: number) {
-    const [vertices, triangles] = this.#call("mesh_counts", stone, method, fineness, weld, one, one)
-      .map((count) => count[0]!) as [number, number];
+    const { vertices, triangles } = this.meshCounts(stone, method, fineness, weld);
     const [points, normals, corners] = this.#call("mesh", stone, method, fineness, weld,
       doubles(3 * vertices), doubles(3 * vertices), words(3 * triangles)) as [Numbers, Numbers, Numbers];
     return { points, normals, corners: Uint32Array.from(corners) };
@@ -137,6 +150,11 @@ export class Goishi {
 
   freeFlight(stone: Numbers, state: Numbers, gravity: Vec, freedom: number, time: number): Numbers {
     return this.#numbers("free_flight", stone, state, gravity, freedom, time, doubles(C.MOTION_SIZE));
+  }
+
+  /** q_WB and ω in W of a body with these moments, axial and transverse. */
+  freeRotation(moments: readonly [number, number], attitude: readonly number[], momentum: Vec, time: number): Numbers {
+    return this.#numbers("free_rotation", moments, attitude, momentum, time, doubles(7));
   }
 
   /** Rows of FLIGHT_SIZE, those that were reached, and how it ended. */

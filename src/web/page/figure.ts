@@ -46,6 +46,7 @@ export class Figure {
   readonly #first: View;
   readonly #below = document.createElement("canvas");
   readonly #copy = document.createElement("canvas");
+  readonly #pins = new Map<HTMLElement, readonly [number, number, number]>();
   #width = 0;
   #height = 0;
   #drawn = "";   // the view of the last picture
@@ -86,6 +87,14 @@ export class Figure {
     this.invalidate();
   }
 
+  /** Keeps an element of the overlay where a point [mm] is seen; null hides it. */
+  pin(element: HTMLElement, point: readonly [number, number, number] | null): void {
+    element.hidden = point === null;
+    if (point) this.#pins.set(element, point);
+    else this.#pins.delete(element);
+    this.invalidate();
+  }
+
   get aspect(): number {
     return this.#height > 0 ? this.#width / this.#height : 16 / 9;
   }
@@ -118,6 +127,10 @@ export class Figure {
     if (this.#width === 0 || this.#height === 0) return;
     this.#options.before?.();
     this.#place();
+    for (const [element, point] of this.#pins) {
+      const { x, y } = this.#seen(point);
+      element.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
+    }
     const size = renderer.getSize(new Vector2());
     const width = Math.round(this.#width * scale), height = Math.round(this.#height * scale);
     if (size.x !== width || size.y !== height) renderer.setSize(width, height, false);
@@ -155,6 +168,10 @@ export class Figure {
   /** Where a point [mm] is in the picture, in pixels. */
   project(point: readonly [number, number, number]): { x: number; y: number } {
     this.#place();
+    return this.#seen(point);
+  }
+
+  #seen(point: readonly [number, number, number]): { x: number; y: number } {
     const seen = new Vector3(...point).project(this.camera);
     return { x: (seen.x + 1) / 2 * this.#width, y: (1 - seen.y) / 2 * this.#height };
   }

@@ -14,6 +14,8 @@ export interface Line {
   /** [px]; 1.6 unless it is said. */
   width?: number;
   dash?: number[];
+  /** Gaps are bridged: its points are some of x. */
+  joined?: boolean;
 }
 
 export interface PlotOptions {
@@ -29,12 +31,14 @@ export interface PlotOptions {
   /** Where numbers stand at the side; else what uPlot finds good. */
   splits?: number[];
   tick?: (value: number) => string;
-  /** Behind the first number below it: " s". */
+  /** Behind the first number below it: " s"; or the text of each. */
   across?: string;
+  tickAcross?: (value: number) => string;
   /** Whether the numbers below it are shown. */
   below?: boolean;
-  /** Whether the future is veiled and may be dragged through. */
+  /** Whether a line shows what is now, and may be dragged; the future is veiled, unless it is no time. */
   scrub?: (x: number) => void;
+  veiled?: boolean;
 }
 
 const axis = 26; // [px] of the numbers below
@@ -113,7 +117,7 @@ export class Plot {
   #build(): void {
     if (this.#width === 0) return;
     this.#plot?.destroy();
-    const { log, range, splits, tick, across = "", below = true, height = 118 } = this.#options;
+    const { log, range, splits, tick, tickAcross, across = "", below = true, height = 118 } = this.#options;
     const ink = color("soft"), faint = color("line"), font = `12px ${sans}`;
     const label = tick ?? ((value: number) => (log ? tens(Math.round(Math.log10(value))) : plain(value)));
     this.#plot = new uPlot({
@@ -133,7 +137,7 @@ export class Plot {
       axes: [
         {
           show: below, stroke: ink, font, size: axis, gap: 4, grid: { show: false }, ticks: { show: true, stroke: faint, width: 1, size: 4 },
-          space: 62, values: (_, values) => values.map((value, i) => (i === 0 ? plain(value) + across : plain(value))),
+          space: 62, values: (_, values) => values.map((value, i) => (tickAcross ? tickAcross(value) : i === 0 ? plain(value) + across : plain(value))),
         },
         {
           stroke: ink, font, size: gutter.left, gap: 4, grid: { stroke: faint, width: 1 }, ticks: { show: false }, space: log ? 24 : 30,
@@ -143,11 +147,11 @@ export class Plot {
         },
       ],
       series: [{}, ...this.#lines.map((line) => ({
-        stroke: color(line.token), width: line.width ?? 1.6, points: { show: false }, spanGaps: false,
+        stroke: color(line.token), width: line.width ?? 1.6, points: { show: false }, spanGaps: line.joined ?? false,
         ...(line.dash ? { dash: line.dash } : {}),
       }))],
     }, this.#data, this.#field);
-    if (this.#options.scrub) this.#field.append(this.#veil, this.#now);
+    if (this.#options.scrub) this.#field.append(...(this.#options.veiled === false ? [] : [this.#veil]), this.#now);
     this.#veil.style.bottom = this.#now.style.bottom = `${below ? axis : 8}px`;
     this.#move();
   }

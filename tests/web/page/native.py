@@ -1,6 +1,7 @@
 """The native library, for programs that cannot load it: a line of JSON in, one out.
 
 ["function", argument …]: a number; a list of numbers, which comes with its size; {"out": n}, room for n numbers;
+{"ints": [n …]} and {"words": n} for both of integers;
 {"one": 1}, room for a handle; {"whole": n}, an integer; {"size": n}, a size; {"handle": n}. The answer has what the outputs hold.
 usage: native.py LIBRARY
 """
@@ -20,6 +21,11 @@ def call(name, arguments):
         elif isinstance(argument, dict) and "out" in argument:
             outs.append((c_double * argument["out"])())
             passed += [outs[-1], c_size_t(argument["out"])]
+        elif isinstance(argument, dict) and "ints" in argument:
+            passed += [(c_int * len(argument["ints"]))(*argument["ints"]), c_size_t(len(argument["ints"]))]
+        elif isinstance(argument, dict) and "words" in argument:
+            outs.append((c_int * argument["words"])())
+            passed += [outs[-1], c_size_t(argument["words"])]
         elif isinstance(argument, dict) and "one" in argument:
             outs.append(c_void_p())
             passed.append(byref(outs[-1]))

@@ -5,12 +5,13 @@
 #include <array>
 #include <cmath>
 #include <goishi/mass/inertia.hpp>
+#include <goishi/published/bevel.hpp>
+#include <goishi/published/inertia.hpp>
 #include <goishi/shape/catalogue.hpp>
 #include <numbers>
 
 #include "verify/claims/checks.hpp"
 #include "verify/claims/claims.hpp"
-#include "verify/oracles/published/bevel.hpp"
 
 namespace goishi::verify {
 
@@ -29,11 +30,9 @@ double lens_radius(double w, double h) {
   return (w * w + h * h) / (4.0 * h);
 }
 
-/// The volume that the original program took, in "cm³"; it adds an area, a length and a length.
-double published_volume(double w, double h) {
+double volume_of(double w, double h) {
   const double r = lens_radius(w, h);
-  const double d = r - h / 2.0;
-  return d * d + pi * r / 4.0 + pi * d / 24.0;
+  return published_volume(r, r - h / 2.0);
 }
 
 /// What production gives for the same stone, in cm² per unit mass.
@@ -44,7 +43,7 @@ MassProperties<double> right_properties() {
 Measurement measure_closed_form(Context& context) {
   const double h = published_height;
   const double r = lens_radius(published_width, h);
-  const double volume = published_volume(published_width, h);
+  const double volume = volume_of(published_width, h);
   const double per_density = h * h * h * (3.0 * h * h - 30.0 * h * r + 80.0 * r * r) / 480.0 * pi;
   const MassProperties<double> right = right_properties();
   Worst worst;
@@ -61,8 +60,8 @@ Measurement measure_closed_form(Context& context) {
 
 Measurement measure_dimensions(Context& context) {
   // A volume grows by 8 when lengths double. V' does not.
-  const double growth = published_volume(2.0 * published_width, 2.0 * published_height) /
-                        published_volume(published_width, published_height);
+  const double growth =
+      volume_of(2.0 * published_width, 2.0 * published_height) / volume_of(published_width, published_height);
   const double right = mass_properties(make_stone(2.0 * published_width, 2.0 * published_height), Density{1.0}).volume /
                        right_properties().volume;
   Checks checks;
@@ -72,55 +71,18 @@ Measurement measure_dimensions(Context& context) {
                              {"a volume grows by", fmt::format("{:.4f}", right)}});
 }
 
-/// The original program's grid sum, float and double where it had them.
-struct GridSum {
-  int nodes = 0;
-  double transverse_x = 0.0, axial = 0.0, transverse_z = 0.0;
-};
-
-GridSum grid_sum() {
-  const double w = static_cast<double>(2.2f);
-  const double h = static_cast<double>(0.92f);
-  const double r = lens_radius(w, h);
-  const double d = r - h / 2.0;
-  const int across = static_cast<int>(std::ceil(w / 0.1));   // 23: 2.2f/0.1 is 22.0000005
-  const int through = static_cast<int>(std::ceil(h / 0.1));  // 10
-  const double dx = w / across;
-  const double dy = h / through;
-  const double cell_mass = dx * dy * dx / published_volume(w, h);
-  GridSum sum;
-  for (int i = 0; i <= across; ++i) {
-    for (int j = 0; j <= through; ++j) {
-      for (int k = 0; k <= across; ++k) {
-        const double x = -w / 2.0 + i * dx;
-        const double y = -h / 2.0 + j * dy;  // the talk's y is the symmetry axis
-        const double z = -w / 2.0 + k * dx;
-        const double along = std::fabs(y) + d;
-        if (std::sqrt(x * x + along * along + z * z) <= r + 0.001) {
-          ++sum.nodes;
-          sum.transverse_x += cell_mass * (y * y + z * z);
-          sum.axial += cell_mass * (x * x + z * z);
-          sum.transverse_z += cell_mass * (x * x + y * y);
-        }
-      }
-    }
-  }
-  return sum;
-}
-
 Measurement measure_grid(Context& context) {
-  const GridSum sum = grid_sum();
+  const PublishedTensor sum = published_tensor(2.2f, 0.92f);
   Checks checks;
   const auto see = [&](double summed, double printed, const char* name) {
     checks["digits"].see(std::fabs(context.produced(summed) - printed), 1e-6, [&] { return name; });
   };
-  see(sum.transverse_x, printed_transverse, "I_x");
-  see(sum.axial, printed_axial, "I_y");
-  see(sum.transverse_z, printed_transverse, "I_z");
+  see(sum.x, printed_transverse, "I_x");
+  see(sum.y, printed_axial, "I_y");
+  see(sum.z, printed_transverse, "I_z");
   see_choice(checks["nodes"], sum.nodes == 2176, [&] { return fmt::format("{}", sum.nodes); });
-  return checks.measurement(
-      {{"grid sum", fmt::format("diag({:.6f}, {:.6f}, {:.6f}) cm²", sum.transverse_x, sum.axial, sum.transverse_z)},
-       {"nodes inside", fmt::format("{}", sum.nodes)}});
+  return checks.measurement({{"grid sum", fmt::format("diag({:.6f}, {:.6f}, {:.6f}) cm²", sum.x, sum.y, sum.z)},
+                             {"nodes inside", fmt::format("{}", sum.nodes)}});
 }
 
 Measurement measure_low(Context& context) {
@@ -136,7 +98,7 @@ Measurement measure_low(Context& context) {
     checks["deficit"].see(std::fabs(deficit - 0.27), 0.01, [&] { return fmt::format("{:.2f} %", 100.0 * deficit); });
   }
   // With the right volume both prints of I_a come right, the grid's to half a percent: they share the density, no more.
-  const double density = published_volume(published_width, published_height) / right.volume;
+  const double density = volume_of(published_width, published_height) / right.volume;
   for (const double print : {printed_axial, printed_closed_form}) {
     checks["density"].see(std::fabs(print * density / axial - 1.0), 0.01, [&] { return fmt::format("{}", print); });
   }
@@ -152,7 +114,7 @@ Measurement measure_bevel(Context& context) {
   // In mm.
   const double r = lens_radius(22.0, 9.2);
   const double d = r - 4.6;
-  const PublishedBevel<double> wrong(r, d, 1.0);
+  const PublishedBevel<double> wrong = published_bevel(r, d, 1.0);
   const Stone<double> right = make_stone(22.0, 9.2, 1.0);
   const double r1 = context.produced(right.bevel_major_radius);
   const double r2 = context.produced(right.bevel_minor_radius);
@@ -208,12 +170,12 @@ std::vector<Claim> published_claims() {
       {.id = "PUBLISHED-3",
        .statement = "The printed tensor diag(0.177721, 0.304776, 0.177721) cm² comes out of a grid sum of 2176 nodes "
                     "over V', digit for digit.",
-       .function = "none: the original program's grid sum, written anew here",
+       .function = "published_tensor",
        .family = OracleFamily::published,
        .oracle = "the talk's numbers, and their recipe",
        .checks = {within("digits", 0.5, "last printed digits", half_digit, 0.5),
                   none("nodes", "sums of other than 2176 nodes")},
-       .mutants = {},
+       .mutants = {{"published/inertia.hpp", "<= r + slack", "<= r - slack"}},
        .measure = measure_grid},
       {.id = "PUBLISHED-4",
        .statement = "Both prints are 27 % low: right is diag(0.244624, 0.415607, 0.244624) cm². They agree because "
@@ -230,13 +192,14 @@ std::vector<Claim> published_claims() {
       {.id = "PUBLISHED-5",
        .statement = "The published CalculateBevel gives r₂ = −5.85 mm for 22 × 9.2 mm, b = 1 mm, where 0.68 mm touches "
                     "both caps.",
-       .function = "make_stone(width, height, bevel)",
+       .function = "make_stone(width, height, bevel), published_bevel",
        .family = OracleFamily::published,
        .oracle = "the talk's function, and the tangency of circles",
        .checks = {within("digits", 0.5, "last digits of −5.85 and 0.68 mm", half_digit, 0.1),
                   within("tangency", 4.0, "ε of the sphere's radius",
                          "four lengths rounded once each, a root and a quotient", 0.5)},
-       .mutants = {{"shape/bevel.hpp", "T(2) * sphere_offset + (height + bevel_height) / T(2)",
+       .mutants = {{"published/bevel.hpp", "y * y + r * r", "r * r - y * y"},
+                   {"shape/bevel.hpp", "T(2) * sphere_offset + (height + bevel_height) / T(2)",
                     "T(2) * sphere_offset + height / T(2)"}},
        .measure = measure_bevel},
       {.id = "PUBLISHED-6",

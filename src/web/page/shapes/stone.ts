@@ -6,8 +6,8 @@ import { lightGlsl, lightUniforms } from "./light";
 
 const around = 56, along = 8; // facets about the axis, and along each part of the profile
 
-/** The surface of a stone   [mm]. */
-export function stoneGeometry(goishi: Goishi, stone: Numbers): BufferGeometry {
+/** The surface of a stone   [mm], or as much of it as a turn by `sweep` about the axis makes. */
+export function stoneGeometry(goishi: Goishi, stone: Numbers, sweep = 2 * Math.PI): BufferGeometry {
   const profile = goishi.profile(stone, along);
   const rows = profile.length / C.PROFILE_SIZE;
   const points = new Float32Array(rows * (around + 1) * 3), normals = points.slice();
@@ -15,7 +15,7 @@ export function stoneGeometry(goishi: Goishi, stone: Numbers): BufferGeometry {
   for (let i = 0, k = 0; i < rows; ++i) {
     const at = (place: number) => profile[i * C.PROFILE_SIZE + place]!;
     for (let j = 0; j <= around; ++j, k += 3) {
-      const angle = (2 * Math.PI * j) / around, c = Math.cos(angle), s = Math.sin(angle);
+      const angle = (sweep * j) / around, c = Math.cos(angle), s = Math.sin(angle);
       points.set([1e3 * at(C.RHO) * c, 1e3 * at(C.RHO) * s, 1e3 * at(C.ZETA)], k);
       normals.set([at(C.NORMAL_RHO) * c, at(C.NORMAL_RHO) * s, at(C.NORMAL_ZETA)], k);
       if (i + 1 < rows && j < around) {
@@ -84,9 +84,9 @@ export type Shell = "white" | "black";
 
 abstract class Body extends Mesh<BufferGeometry, ShaderMaterial> {
   /** Another stone. */
-  reshape(goishi: Goishi, stone: Numbers): void {
+  reshape(goishi: Goishi, stone: Numbers, sweep?: number): void {
     this.geometry.dispose();
-    this.geometry = stoneGeometry(goishi, stone);
+    this.geometry = stoneGeometry(goishi, stone, sweep);
   }
 
   /** Puts it where a motion or a pose says   [m]. */
