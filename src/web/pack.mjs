@@ -7,6 +7,7 @@ import { createRequire } from "node:module";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
+import { constants } from "./constants.mjs";
 
 const source = dirname(fileURLToPath(import.meta.url));
 const build = resolve(process.argv[2]);
@@ -18,11 +19,8 @@ for (const name of ["page", "tsconfig.json"]) {
   if (!existsSync(link)) symlinkSync(join(source, name), link);
 }
 
-// The places in the arrays of the C interface, from its header.
-const header = readFileSync(join(source, "goishi.h"), "utf8").replace(/\/\/.*$/gm, "");
-const constants = [...header.matchAll(/\bGOISHI_([A-Z0-9_]+)\s*(?:=\s*(-?\d+)|\((-[\d.]+)\))/g)];
 writeFileSync(join(build, "constants.ts"),
-  constants.map(([, name, value, defined]) => `export const ${name} = ${value ?? defined};\n`).join(""));
+  constants().map(([name, value]) => `export const ${name} = ${value};\n`).join(""));
 
 // The claims that the page names, from the suite's table.
 const sourceText = readdirSync(join(source, "page"), { recursive: true }).filter((name) => name.endsWith(".ts"))

@@ -136,8 +136,8 @@ export class Figure {
     this.camera.position.set(target[0] + distance * c * Math.cos(azimuth), target[1] + distance * c * Math.sin(azimuth),
       target[2] + distance * Math.sin(elevation));
     this.camera.lookAt(...target);
-    // A narrow picture sees as much to the sides as one of 3 : 2.
-    const narrow = Math.max(1, 1.5 / this.aspect);
+    // A narrow picture sees as much to the sides as one of 5 : 4.
+    const narrow = Math.max(1, 1.25 / this.aspect);
     this.camera.fov = 2 * Math.atan(Math.tan(fov * Math.PI / 360) * narrow) * 180 / Math.PI;
     this.camera.aspect = this.aspect;
     this.camera.updateProjectionMatrix();

@@ -29,7 +29,7 @@ export interface PlotOptions {
   /** Where numbers stand at the side; else what uPlot finds good. */
   splits?: number[];
   tick?: (value: number) => string;
-  /** Behind the numbers below it: " s". */
+  /** Behind the first number below it: " s". */
   across?: string;
   /** Whether the numbers below it are shown. */
   below?: boolean;
@@ -37,6 +37,7 @@ export interface PlotOptions {
   scrub?: (x: number) => void;
 }
 
+const axis = 26; // [px] of the numbers below
 const sans = '-apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif';
 
 export class Plot {
@@ -131,8 +132,8 @@ export class Plot {
       },
       axes: [
         {
-          show: below, stroke: ink, font, size: 26, gap: 4, grid: { show: false }, ticks: { show: true, stroke: faint, width: 1, size: 4 },
-          space: 62, values: (_, values) => values.map((value, i) => (i === values.length - 1 ? plain(value) + across : plain(value))),
+          show: below, stroke: ink, font, size: axis, gap: 4, grid: { show: false }, ticks: { show: true, stroke: faint, width: 1, size: 4 },
+          space: 62, values: (_, values) => values.map((value, i) => (i === 0 ? plain(value) + across : plain(value))),
         },
         {
           stroke: ink, font, size: gutter.left, gap: 4, grid: { stroke: faint, width: 1 }, ticks: { show: false }, space: log ? 24 : 30,
@@ -146,6 +147,7 @@ export class Plot {
       }))],
     }, this.#data, this.#field);
     if (this.#options.scrub) this.#field.append(this.#veil, this.#now);
+    this.#veil.style.bottom = this.#now.style.bottom = `${below ? axis : 8}px`;
     this.#move();
   }
 

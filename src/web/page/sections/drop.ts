@@ -16,7 +16,7 @@ import { TrailShape } from "../shapes/trail";
 import { Transport } from "../transport";
 import { eventTable } from "./drop/events";
 import { frame, publishedLoop, type Loop } from "./drop/loop";
-import { Run, speedAt, startState, stoneOf, tiltOf, type Start } from "./drop/run";
+import { floorOf, Run, speedAt, startState, stoneOf, tiltOf, touching, type Start } from "./drop/run";
 import { ending, impulseOf, say, type Said } from "./drop/words";
 
 /** Starts that show something; what is not said is as at first. */
@@ -24,17 +24,17 @@ const starts: Record<string, { label: string; says: string; speed?: number; jell
   dropped: { label: "dropped", start: {},
     says: "Let go from 30 mm, leaning and turning a little: it bounces, turns over, and wobbles to rest on its other side." },
   rocking: { label: "rocking", speed: 5, start: { height: 0, tilt: 12, spin: 0, rolling: 0.02 },
-    says: "Laid down leaning and let go: it rocks, the lower the quicker lost, until rolling resistance holds it." },
+    says: "Laid down leaning and let go: it rocks, each swing a little lower, until rolling resistance holds it." },
   edge: { label: "rolled on its edge", start: { height: 0, tilt: 80, spin: 34, speed: 0.32, place: -100 },
     says: "Rolled like a coin: it circles, sinks, and rattles ever faster round its rim." },
   rises: { label: "spun: it rises", speed: 5, jellett: true,
-    start: { height: 0, tilt: 0.5, spin: 60, bevel: 0, law: "slip", rolling: 0, pivot: 0 },
-    says: "Spun flat at 60 rad/s, where friction is in proportion to slip: the flat spin is unstable, the stone rises like a tippe top and settles near 36°, as Jellett’s integral says." },
+    start: { height: 0, tilt: 0.5, spin: 60, bevel: 0, law: "slip", rolling: 0, pivot: 0, horizon: 4 },
+    says: "Under friction in proportion to slip a flat spin of 60 rad/s is unstable: the stone rises, and settles near 36°, as Jellett’s integral says." },
   dry: { label: "the same, dry friction", speed: 5, jellett: true,
-    start: { height: 0, tilt: 0.5, spin: 60, bevel: 0, law: "dry", rolling: 0, pivot: 0 },
-    says: "The same spin with dry friction: what little slip there is soon turns into rolling, which takes no energy, so nothing drives the stone up. It stays low." },
-  over: { label: "over the edge", start: { place: 190, height: 12, tilt: 20, speed: 0.25, spin: 0 },
-    says: "Thrown near the edge of the board: it goes over, and falls past the side to the floor." },
+    start: { height: 0, tilt: 0.5, spin: 60, bevel: 0, law: "dry", rolling: 0, pivot: 0, horizon: 4 },
+    says: "The same spin under dry friction: what little slip there is soon turns into rolling, which takes no energy, so nothing drives the stone up." },
+  over: { label: "over the edge", start: { place: 200, height: 12, tilt: 20, speed: 0.5, spin: 0 },
+    says: "Thrown near the edge of the board: it goes over, falls past the side, and comes to rest on the floor." },
 };
 
 export const drop: Section = {
@@ -53,24 +53,25 @@ export const drop: Section = {
     const still = new Scene(), wood = new BoardShape(board), occluder = wood.occluder();
     still.add(wood);
     let stone = stoneOf(goishi, { shell: "white", bevel: 1 });
-    const shape = new StoneShape(goishi, stone), shadow = new ShadowShape(0, wood.half), track = new TrailShape("#0b5c53");
+    const shape = new StoneShape(goishi, stone), shadow = new ShadowShape(0, wood.half), below = new ShadowShape(1e3 * floorOf(board)), track = new TrailShape("#0b5c53");
     const ghost = new GhostShape(goishi, stone, "published"), arrow = new ArrowShape("impulse", { through: true, thick: 0.55 });
     const starter = el("fieldset", "pills starts");
-    wide.append(starter);
+    const says = el("p", "remark says", { "aria-live": "polite" });
+    wide.append(starter, says);
     const figure = stage.figure(wide, {
       label: "A Go stone over a board.", still, view: { target: [0, 0, 4], azimuth: -1.05, elevation: 0.42, distance: 190 },
       elevations: [0.06, 1.5], grip,
     });
-    figure.scene.add(occluder, shadow, track, shape, ghost, arrow);
+    figure.scene.add(occluder, below, shadow, track, shape, ghost, arrow);
     arrow.visible = ghost.visible = false;
 
     const what = new Shown("event"), when = el("div", "small"), spot = el("i", "spot");
-    const tilt = new Shown("tilt"), where = new Shown("height"), slip = new Shown("slip"), apart = new Shown("apart");
+    const tilt = new Shown("tilt"), where = new Shown("height"), slip = new Shown("slip"), wobble = new Shown("wobble"), apart = new Shown("apart");
     apart.element.hidden = true;
     figure.overlay.append(
       el("div", "caption left", { "aria-hidden": "true" }, el("div", "great", {}, spot, what.element), when),
       el("div", "caption right", { "aria-hidden": "true" }, el("div", "great", {}, tilt.element),
-        ...[where, slip, apart].map((shown) => el("div", "small", {}, shown.element))));
+        ...[where, slip, wobble, apart].map((shown) => el("div", "small", {}, shown.element))));
 
     // --- time and graphs
     const transport = new Transport(wide, section, stage, { speeds: [1, 5, 25], speed: 5, decimals: 4, show });
@@ -79,8 +80,8 @@ export const drop: Section = {
     const scrub = (time: number) => transport.seek(time);
     const energyLines = [{ label: "the stone", token: "energy" as const }];
     const tiltLines = [{ label: "the stone", token: "omega" as const }];
-    const talk = { label: "the talk’s loop", token: "published" as const, width: 1.2 };
-    const energy = new Plot(plots, { title: "Energy", unit: "µJ above lying flat", lines: energyLines, scrub, below: false, height: 104,
+    const talk = { label: "the talk’s loop", token: "published" as const, width: 1.3, dash: [5, 3] };
+    const energy = new Plot(plots, { title: "Energy", unit: "µJ above lying flat on the board", lines: energyLines, scrub, below: false, height: 104,
       range: (least, greatest) => [Math.min(0, least), Math.max(1, greatest * 1.05)] });
     const lean = new Plot(plots, { title: "Tilt of the axis", unit: "degrees", lines: tiltLines, scrub, across: " s",
       range: (least, greatest) => (greatest > 90 ? [0, 185] : [Math.min(0, least), Math.max(1, greatest * 1.08)]), tick: (value) => `${value}°` });
@@ -100,8 +101,8 @@ export const drop: Section = {
     const c = {
       height: number(left, "height", "height", "mm", 0, 150, 1, 30),
       tilt: number(left, "tilt", "tilt", "°", 0, 180, 1, 25),
-      spin: number(left, "spin", "spin, its axis", "rad/s", -120, 120, 1, 12),
-      tumble: number(left, "tumble", "spin, across", "rad/s", -120, 120, 1, 0),
+      spin: number(left, "spin", "spin about its axis", "rad/s", -120, 120, 1, 12),
+      tumble: number(left, "tumble", "spin across it", "rad/s", -120, 120, 1, 0),
       speed: number(left, "speed", "speed along", "m/s", -1, 1, 0.01, 0),
       place: number(left, "place", "from the middle", "mm", -230, 230, 1, 0),
       restitution: number(right, "e", "restitution", "", 0, 1, 0.01, 0.5),
@@ -109,6 +110,7 @@ export const drop: Section = {
       rolling: number(right, "rolling", "rolling resistance", "mm", 0, 1, 0.01, 0.1),
       pivot: number(right, "pivot", "pivot friction", "mm", 0, 1, 0.01, 0.05),
       bevel: number(right, "bevel", "bevel", "mm", 0, 4, 0.1, 1),
+      horizon: number(right, "until", "followed for", "s", 1, 30, 0.5, 10),
     };
     const choices = el("div", "choices");
     right.append(choices);
@@ -123,12 +125,12 @@ export const drop: Section = {
     const controls: Control[] = [...Object.values(c), law, shell, compare, integral];
 
     // --- words below
-    const about = el("p", "remark"), says = el("p", "remark", { "aria-live": "polite" }), refused = el("p", "rule", { role: "alert" });
+    const about = el("p", "remark"), refused = el("p", "rule", { role: "alert" });
     const impacts = new Shown("impacts"), events = new Shown("events"), ended = new Shown("end"), evaluations = new Shown("evaluations");
     const took = el("span"), how = el("span");
     about.append("Computed in ", took, ": ", impacts.element, ", ", events.element, ", ", evaluations.element, "; ", how, " ", ended.element, ".");
     wide.append(refused);
-    text.append(says, about);
+    text.append(about);
     let table: { fill(): void } | null = null;
     fold(text, "Every event", (body) => {
       table = eventTable(body, () => run, (time) => transport.seek(time));
@@ -155,7 +157,7 @@ export const drop: Section = {
     const values = (): Start => ({
       shell: shell.value, bevel: c.bevel.value, height: c.height.value, tilt: c.tilt.value, spin: c.spin.value, tumble: c.tumble.value,
       speed: c.speed.value, place: c.place.value, restitution: c.restitution.value, friction: c.friction.value, law: law.value,
-      rolling: c.rolling.value, pivot: c.pivot.value,
+      rolling: c.rolling.value, pivot: c.pivot.value, horizon: c.horizon.value,
     });
 
     const inputs = new Map<string, HTMLInputElement>();
@@ -202,7 +204,7 @@ export const drop: Section = {
         ghost.reshape(goishi, stone);
       }
       shape.paint(shell.value);
-      shadow.of(run.measures);
+      for (const one of [shadow, below]) one.of(run.measures);
       loop = null;
       const count = run.events.filter((event) => event[C.EVENT_KIND] === C.KIND_IMPACT).length;
       let nth = 0;
@@ -257,17 +259,17 @@ export const drop: Section = {
     /** Frames the whole track. */
     function look(): void {
       const { end, from } = run!;
-      let [x0, x1, y0, y1, top] = [Infinity, -Infinity, Infinity, -Infinity, 0];
+      let [x0, x1, y0, y1, top, bottom] = [Infinity, -Infinity, Infinity, -Infinity, 0, 0];
       for (let i = 0; i <= 40; ++i) {
         const p = vec(run!.at(from + ((end - from) * i) / 40), C.POSITION).map((value) => 1e3 * value) as [number, number, number];
         const near = (value: number, limit: number) => Math.min(limit, Math.max(-limit, value));
-        [x0, x1] = [Math.min(x0, near(p[0], 260)), Math.max(x1, near(p[0], 260))];
-        [y0, y1] = [Math.min(y0, near(p[1], 280)), Math.max(y1, near(p[1], 280))];
-        top = Math.max(top, p[2]);
+        [x0, x1] = [Math.min(x0, near(p[0], 900)), Math.max(x1, near(p[0], 900))];
+        [y0, y1] = [Math.min(y0, near(p[1], 900)), Math.max(y1, near(p[1], 900))];
+        [top, bottom] = [Math.max(top, p[2]), Math.min(bottom, p[2])];
       }
       const reach = Math.hypot(x1 - x0, y1 - y0);
-      figure.frame({ target: [(x0 + x1) / 2, (y0 + y1) / 2, Math.max(2, top * 0.3)], azimuth: -1.05, elevation: 0.42,
-        distance: Math.max(130, 95 + 2.1 * top, 100 + 1.7 * reach) });
+      figure.frame({ target: [(x0 + x1) / 2, (y0 + y1) / 2, bottom < 0 ? (top + bottom) / 2 : Math.max(3, top * 0.32)],
+        azimuth: bottom < 0 ? Math.atan2(y1 + y0, x1 + x0) - 0.5 : -1.05, elevation: 0.36, distance: Math.max(115, 85 + 1.9 * (top - bottom), 90 + 1.5 * reach) });
     }
 
     function at(of: Loop, time: number): Numbers | null {
@@ -280,7 +282,8 @@ export const drop: Section = {
       const motion = run.at(time);
       shape.place(motion);
       occluder.visible = shape.position.z < 0;
-      shadow.follow(shape);
+      for (const one of [shadow, below]) one.follow(shape);
+      below.visible = occluder.visible;
       const latest = lastBefore(run.events, time), event = run.events[latest], words = said[latest];
       if (event && words) {
         what.set(event[C.EVENT_TIME]!, words.great);
@@ -296,9 +299,11 @@ export const drop: Section = {
       const over = run.over(motion), lean_ = tiltOf(motion);
       tilt.set(lean_, `tilt ${fixed(lean_, 1)}°`);
       where.set(motion[C.POSITION + 2]!, `centre ${fixed(1e3 * motion[C.POSITION + 2]!, 2)} mm high`);
-      const touches = over.gap < 2e-6 && motion[C.POSITION + 2]! > 0;
+      const touches = over.gap < touching;
       const speed = speedAt(motion, over.point);
       slip.set(touches ? speed : NaN, touches ? `contact slips at ${fixed(1e3 * speed, 1)} mm/s` : "in the air");
+      const often = touches ? run.wobble(time) : NaN;
+      wobble.set(often, Number.isFinite(often) ? `wobbles ${fixed(often, 2)} times a second` : "");
       if (loop) {
         const other = at(loop, time);
         if (other) {

@@ -53,7 +53,7 @@ void main() {
     ink = max(ink, clamp((2.0 - off) / pixel + 0.5, 0.0, 1.0) * step(abs(vP.x), 6.5 * spacing.x) * step(abs(vP.y), 6.5 * spacing.y));
     c = mix(c, vec3(0.13, 0.105, 0.08), 0.88 * ink);
   } else {
-    c *= 0.93;
+    c *= 1.2; // they get little light
   }
   gl_FragColor = vec4(lit(c, n, v, 0.16), 1.0);
 }`;

@@ -16,14 +16,13 @@ export interface Start {
   law: "dry" | "slip";
   rolling: number;  // [mm] δ
   pivot: number;    // [mm] κ
+  horizon: number;  // [s] for which it is followed, at most; by then it may still be moving
 }
-
-/** What is followed, at most: a stone that has not come to rest by then is shown moving. */
-export const horizon = 12; // [s]
 
 const spacing = 1 / 240;   // [s] between samples
 const kept = 60000;        // stretches, of 744 bytes; a drop with more is shown from its later part on
-const touching = 2e-6;     // [m] a gap as small counts as contact in graph and track: rocking on a cap keeps it at round-off
+/** [m] A gap as small counts as contact in words, graph and track: contact keeps it at round-off. */
+export const touching = 2e-6;
 
 export const size = 33;
 
@@ -48,7 +47,7 @@ export function settingsOf(goishi: Goishi, start: Start): Numbers {
   settings[C.ROLLING_RESISTANCE] = start.rolling * 1e-3;
   settings[C.PIVOT_RADIUS] = start.pivot * 1e-3;
   settings[C.FRICTION_MODEL] = start.law === "dry" ? C.DRY : C.SLIP_PROPORTIONAL;
-  settings[C.HORIZON] = horizon;
+  settings[C.HORIZON] = start.horizon;
   return settings;
 }
 
@@ -60,6 +59,8 @@ export interface Series {
   jellett: number[];  // L·r [kg m³/s] on a cap, else NaN
   track: number[];    // x, y, z [mm] of the point of contact; NaN in the air
   ended: number[];    // for each segment of the track, its time [s]
+  /** The moments at which it leans least [s], and whether it then swings over to the other side, as in plain rocking. */
+  lows: { time: number; over: boolean }[];
 }
 
 export class Run {
@@ -74,11 +75,13 @@ export class Run {
   readonly took: number; // [ms]
   readonly series: Series;
   readonly #goishi: Goishi;
-  readonly #plane = Float64Array.from([0, 0, 1, 0]);
+  readonly #surface = Float64Array.from([0, 0, 1, 0]);
+  readonly #floor: Numbers;
   readonly #drop: Drop;
 
   constructor(goishi: Goishi, readonly board: Numbers, readonly start: Start) {
     this.#goishi = goishi;
+    this.#floor = Float64Array.from([0, 0, 1, floorOf(board)]);
     this.stone = stoneOf(goishi, start);
     this.measures = goishi.measures(this.stone);
     this.state = startState(goishi, this.stone, start);
@@ -108,9 +111,10 @@ export class Run {
     return this.#drop.motions([Math.min(this.end, Math.max(this.from, time))], side)[0]!;
   }
 
-  /** What a motion is over the level of the board: gap [m], lowest point [m], part of the stone. */
+  /** What a motion is over the board's surface, or from below that over the floor: gap [m], lowest point [m], part of the stone. */
   over(motion: Numbers): { gap: number; point: Vec; part: number } {
-    const found = this.#goishi.separation(this.stone, motion.subarray(0, C.POSE_SIZE), this.#plane);
+    const ground = motion[C.POSITION + 2]! > 0 ? this.#surface : this.#floor;
+    const found = this.#goishi.separation(this.stone, motion.subarray(0, C.POSE_SIZE), ground);
     return { gap: found[C.GAP]!, point: vec(found, C.POINT), part: found[C.FEATURE]! };
   }
 
@@ -131,22 +135,45 @@ export class Run {
       motions.set(side, this.#drop.motions(moments.filter((m) => m.side === side).map((m) => m.time), side));
     }
     const next = new Map<number, number>([[C.BEFORE, 0], [C.AFTER, 0]]);
-    const series: Series = { time: [], energy: [], tilt: [], jellett: [], track: [], ended: [] };
+    const series: Series = { time: [], energy: [], tilt: [], jellett: [], track: [], ended: [], lows: [] };
+    const axes: Vec[] = [];
     for (const { time, side } of moments) {
       const i = next.get(side)!;
       next.set(side, i + 1);
       const motion = motions.get(side)![i]!;
       const { gap, point, part } = this.over(motion);
-      const inContact = gap < touching && this.#isOnBoard(point);
+      const inContact = gap < touching && (point[2] < -touching || this.#isOnBoard(point));
       const r = point.map((x, k) => x - motion[C.POSITION + k]!);
       series.time.push(time);
       series.energy.push(motion[C.ENERGY]! - this.lying);
       series.tilt.push(tiltOf(motion));
+      axes.push(axisOf(motion));
       series.jellett.push(inContact && part !== C.RIM ? r.reduce((sum, x, k) => sum + x * motion[C.MOMENTUM + k]!, 0) : NaN);
       if (series.track.length > 0) series.ended.push(time);
-      series.track.push(...(inContact ? [1e3 * point[0], 1e3 * point[1], 0.12] : [NaN, NaN, NaN]));
+      this.#low(series, axes);
+      series.track.push(...(inContact ? [1e3 * point[0], 1e3 * point[1], 1e3 * point[2] + 0.12] : [NaN, NaN, NaN]));
     }
     return series;
+  }
+
+  /** Whether the last but one sample is a minimum; by the parabola through three. */
+  #low(series: Series, axes: readonly Vec[]): void {
+    const n = series.time.length;
+    if (n < 3) return;
+    const [a, b, c] = [3, 2, 1].map((back) => Math.min(series.tilt[n - back]!, 180 - series.tilt[n - back]!)) as [number, number, number];
+    const [before, now, after] = [3, 2, 1].map((back) => series.time[n - back]!) as [number, number, number];
+    if (!(a > b && b <= c) || now === before || after === now) return;
+    const left = (b - a) / (now - before), right = (c - b) / (after - now);
+    const [u, w] = [axes[n - 3]!, axes[n - 1]!];
+    series.lows.push({ time: (before + now) / 2 - (left * (after - before)) / 2 / (right - left), over: u[0] * w[0] + u[1] * w[1] < 0 });
+  }
+
+  /** How often it wobbles at a time   [Hz]; NaN where it does not. */
+  wobble(time: number): number {
+    const { lows } = this.series, next = lows.findIndex((low) => low.time > time);
+    if (next < 1) return NaN;
+    const [from, to] = [lows[next - 1]!, lows[next]!];
+    return 1 / ((from.over && to.over ? 2 : 1) * (to.time - from.time));
   }
 
   #isOnBoard(point: Vec): boolean {
@@ -155,10 +182,19 @@ export class Run {
   }
 }
 
+/** The level of the floor   [m]. */
+export const floorOf = (board: Numbers): number => -board[C.BOARD_THICKNESS]! - board[C.BOARD_LEGS]!;
+
 /** The angle of the axis from the vertical   [°], 0 … 180. */
 export function tiltOf(motion: Numbers): number {
   const x = motion[C.ATTITUDE + 1]!, y = motion[C.ATTITUDE + 2]!, w = motion[C.ATTITUDE]!, z = motion[C.ATTITUDE + 3]!;
   return (2 * Math.atan2(Math.hypot(x, y), Math.hypot(w, z)) * 180) / Math.PI;
+}
+
+/** The direction of the axis, in W. */
+function axisOf(motion: Numbers): Vec {
+  const [w, x, y, z] = [0, 1, 2, 3].map((k) => motion[C.ATTITUDE + k]!) as [number, number, number, number];
+  return [2 * (x * z + w * y), 2 * (y * z - w * x), w * w + z * z - x * x - y * y];
 }
 
 /** The speed at which the point of the stone moves that is `point` now   [m/s]. */

@@ -1,0 +1,210 @@
+// What each section must do, whatever it shows.
+
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { join } from "node:path";
+import { expect, fingerprint, framesIn, numbersAndGraphs, pixels, settle, shown } from "./harness.mjs";
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+/** `browser` with the page, `cases` to run in, `report` a folder for pictures. */
+export async function every(id, browser, cases, report) {
+  const inside = `[data-section=${id}]`;
+  const case_ = (name, test) => cases.run(`${id}: ${name}`, test);
+
+  await case_("pictures and graphs are drawn", async () => {
+    const page = await browser.section(id);
+    const places = [...await page.locator(`${inside} .picture`).all(), ...await page.locator(`${inside} .plot .field:visible`).all()];
+    expect(places.length > 0, "there is none");
+    for (const place of places) {
+      await place.scrollIntoViewIfNeeded();
+      await settle(page);
+      const { colors, commonest } = await pixels(page, place);
+      const least = await place.evaluate((one) => one.classList.contains("picture")) ? 40 : 4;
+      expect(colors >= least && commonest < 0.995, `${colors} colours, ${commonest} of it one`);
+    }
+    await page.context().close();
+  });
+
+  await case_("each control changes what is shown", async () => {
+    const page = await browser.section(id);
+    let count = 0;
+    /** Whether numbers or graphs change, or else the picture; which takes longer to tell. */
+    const changes = async (what, act, undo) => {
+      const before = await numbersAndGraphs(page, id);
+      await act();
+      count++;
+      if (await numbersAndGraphs(page, id) !== before) return;
+      await undo();
+      const picture = await fingerprint(page, id);
+      await act();
+      expect(await fingerprint(page, id) !== picture, `${what} changes nothing`);
+    };
+    for (const control of await page.locator(`${inside} .control:visible`).all()) {
+      const slider = control.locator(".slider"), field = control.locator(".number"), good = await field.inputValue();
+      const press = async (key) => {
+        await slider.focus();
+        await page.keyboard.press(key);
+      };
+      const before = await numbersAndGraphs(page, id);
+      let changed = false;
+      for (const end of ["Home", "End"]) { // at one of them it must show, if only in the picture
+        await press(end);
+        changed ||= await numbersAndGraphs(page, id) !== before;
+        await field.fill(good);
+        if (changed) break;
+      }
+      count++;
+      if (!changed) await changes(await slider.getAttribute("aria-label"), () => press("Home"), () => press("End"));
+      await field.fill(good);
+    }
+    for (const group of await page.locator(`${inside} fieldset.pills:not(.speeds)`).all()) {
+      const pick = (value) => group.locator(`input[value="${value}"]`).check({ force: true });
+      const chosen = () => group.evaluate((one) => one.querySelector("input:checked")?.value ?? null);
+      for (const value of await group.evaluate((one) => [...one.querySelectorAll("input:not(:checked)")].map((input) => input.value))) {
+        const last = await chosen();
+        await changes(`${await group.locator("legend").textContent()} ${value}`, () => pick(value), async () => last === null || pick(last));
+      }
+    }
+    for (const box of await page.locator(`${inside} .switch input:visible`).all()) {
+      const turn = async () => box.setChecked(!(await box.isChecked()));
+      await changes(await box.getAttribute("data-name"), turn, turn);
+    }
+    console.log(`      ${count} changes`);
+    expect(count > 0, "there is no control");
+    await page.context().close();
+  });
+
+  await case_("a wrong value says the rule and changes nothing", async () => {
+    const page = await browser.section(id);
+    for (const field of await page.locator(`${inside} input.number:visible`).all()) {
+      const good = await field.inputValue(), before = JSON.stringify(await shown(page, id));
+      for (const wrong of ["abc", "", "NaN", "1e99", "-1e99", "1/2", "Infinity", "0x1"]) {
+        await field.fill(wrong);
+        const rule = await field.locator("xpath=..").locator(".rule").textContent();
+        expect(rule.includes("from") && rule.includes("to"), `“${wrong}” gives “${rule}”`);
+        expect(await field.getAttribute("aria-invalid") === "true", "it is not marked as invalid");
+        expect(JSON.stringify(await shown(page, id)) === before, `“${wrong}” changes what is shown`);
+      }
+      await field.fill(good);
+      expect(await field.locator("xpath=..").locator(".rule").textContent() === "", "the rule stays");
+    }
+    await page.context().close();
+  });
+
+  await case_("no frame in 2 s at rest", async () => {
+    for (const still of [true, false]) {
+      const page = await browser.section(id, { still });
+      if (!still) {
+        const play = page.locator(`${inside} .round.main`).first();
+        if (await play.count() && await play.getAttribute("aria-label") === "pause") await play.click();
+      }
+      await settle(page);
+      const frames = await framesIn(page, 2000);
+      expect(frames === 0, `${frames} frames${still ? " where nothing should move by itself" : ""}`);
+      await page.context().close();
+    }
+  });
+
+  await case_("the keyboard reaches everything", async () => {
+    const page = await browser.section(id);
+    const all = await page.evaluate((place) => {
+      const list = [...document.querySelectorAll(`${place} :is(button, input, summary, .picture)`)].filter((one) => one.checkVisibility());
+      // Of a group of radio buttons one is a stop.
+      return list.filter((one) => one.type !== "radio" || one.checked || ![...list].some((other) => other.name === one.name && other.checked) )
+        .filter((one, i, rest) => one.type !== "radio" || rest.findIndex((other) => other.name === one.name) === i).length;
+    }, inside);
+    await page.evaluate((place) => {
+      const before = document.createElement("button");
+      before.id = "before";
+      document.querySelector(place).before(before);
+      before.focus();
+    }, inside);
+    const reached = new Set();
+    for (let i = 0; i < all + 10; ++i) {
+      await page.keyboard.press("Tab");
+      const here = await page.evaluate((place) => {
+        const one = document.activeElement;
+        if (!one.closest(place) || !one.matches("button, input, summary, .picture")) return null;
+        one.dataset.reached ??= String(Math.random());
+        const style = getComputedStyle(one.closest(".pill") ?? one);
+        return { key: one.dataset.reached, seen: style.outlineStyle !== "none" || one.matches("input[type=range]") };
+      }, inside);
+      if (here === null) continue;
+      expect(here.seen, "one cannot see where the focus is");
+      reached.add(here.key);
+    }
+    expect(reached.size >= all, `${reached.size} of ${all} are reached`);
+    await page.context().close();
+  });
+
+  await case_("a link shows the same again, nonsense the first picture", async () => {
+    const page = await browser.section(id);
+    const first = JSON.stringify(await shown(page, id));
+    const slider = page.locator(`${inside} .control .slider:visible`).first();
+    if (await slider.count()) {
+      await slider.focus();
+      await page.keyboard.press("PageUp");
+      await page.keyboard.press("ArrowUp");
+      await settle(page);
+      const hash = new URL(page.url()).hash, changed = JSON.stringify(await shown(page, id));
+      expect(hash.startsWith(`#${id}?`) && changed !== first, `the address is ${hash}`);
+      const again = await browser.section(id, { hash });
+      const there = JSON.stringify(await shown(again, id));
+      expect(there === changed, `${there} is not ${changed}`);
+      await again.context().close();
+      const keys = [...new URLSearchParams(hash.split("?")[1]).keys()];
+      for (const value of ["1e99", "NaN", "", "%00", "<b>", "-1e-400x"]) {
+        const odd = await browser.section(id, { hash: `#${id}?${keys[0]}=${value}&nothing=1&&=` });
+        expect(JSON.stringify(await shown(odd, id)) === first, `${keys[0]}=${value} changes what is shown`);
+        await odd.context().close();
+      }
+    }
+    await page.context().close();
+  });
+
+  await case_("a lost context comes back", async () => {
+    const page = await browser.section(id);
+    const picture = page.locator(`${inside} .frame`).first();
+    if (await picture.count() === 0) return;
+    const before = await picture.screenshot(), said = browser.said.length;
+    await page.evaluate(() => {
+      const canvas = document.querySelector("canvas.gl");
+      globalThis.lose = (canvas.getContext("webgl2") ?? canvas.getContext("webgl")).getExtension("WEBGL_lose_context");
+      globalThis.lose.loseContext();
+    });
+    await page.waitForTimeout(200);
+    await page.evaluate(() => globalThis.lose.restoreContext());
+    await settle(page);
+    await page.waitForTimeout(400);
+    const after = await picture.screenshot();
+    browser.said.splice(said, Infinity, ...browser.said.slice(said).filter((text) => !/context|CONTEXT_LOST/i.test(text))); // three tells of it
+    expect(before.equals(after), "it does not look as before");
+    await page.context().close();
+  });
+
+  for (const scheme of ["light", "dark"]) {
+    await case_(`for everybody, ${scheme}`, async () => {
+      const page = await browser.section(id, { scheme });
+      for (const fold of await page.locator(`${inside} summary`).all()) await fold.click();
+      await page.evaluate(axe);
+      const { violations } = await page.evaluate((place) => globalThis.axe.run(place, { resultTypes: ["violations"] }), inside);
+      expect(violations.length === 0, violations.map((one) => `${one.id}: ${one.nodes.map((node) => node.html).slice(0, 3).join(" ")}`).join("; "));
+      await page.context().close();
+    });
+    for (const width of [1400, 390]) {
+      await case_(`picture of it, ${width} wide, ${scheme}`, async () => {
+        const page = await browser.section(id, { scheme, width, still: false });
+        await page.locator(`${inside} .wide`).scrollIntoViewIfNeeded();
+        await page.waitForTimeout(1500);
+        const play = page.locator(`${inside} .round.main`).first();
+        if (await play.count() && await play.getAttribute("aria-label") === "pause") await play.click();
+        await settle(page);
+        const wider = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+        expect(wider <= 0, `the page is ${wider} px wider than the window`);
+        await page.locator(inside).screenshot({ path: join(report, `${id}-${width}-${scheme}.png`) });
+        await page.context().close();
+      });
+    }
+  }
+}

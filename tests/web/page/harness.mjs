@@ -1,0 +1,183 @@
+// What the tests of all sections stand on: a browser with the page, the native library, and ways to look at both.
+
+import { spawn } from "node:child_process";
+import { createHash } from "node:crypto";
+import { createInterface } from "node:readline";
+import { pathToFileURL } from "node:url";
+import { chromium } from "playwright-core";
+
+const flags = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+
+/** The library as it is compiled for this machine, see native.py. */
+export class Native {
+  #process;
+  #lines;
+
+  constructor(script, library) {
+    this.#process = spawn("python3", [script, library], { stdio: ["pipe", "pipe", "inherit"] });
+    this.#lines = createInterface({ input: this.#process.stdout })[Symbol.asyncIterator]();
+  }
+
+  /** Numbers are written so that NaN and infinities pass, too. */
+  async call(name, ...given) {
+    const text = JSON.stringify([name, ...given], (_, value) => (value === Infinity ? "∞" : value)).replaceAll('"∞"', "Infinity");
+    this.#process.stdin.write(`${text}\n`);
+    const { value } = await this.#lines.next();
+    const answer = JSON.parse(value.replace(/-?\b(NaN|Infinity)\b/g, "null"));
+    if ("message" in answer) throw new Error(`${name}: ${answer.message}`);
+    return answer.outs;
+  }
+
+  end() {
+    this.#process.stdin.end();
+  }
+}
+
+export class Browser {
+  #browser;
+  #file;
+  /** What the page said or asked for: it should be nothing. */
+  said = [];
+
+  static async start(file) {
+    const one = new Browser();
+    one.#file = pathToFileURL(file).href;
+    one.#browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: flags });
+    return one;
+  }
+
+  /** A page; `still`: the reader wants nothing to move. */
+  async open({ width = 1400, height = 1000, scheme = "light", still = true, hash = "" } = {}) {
+    const context = await this.#browser.newContext({ viewport: { width, height }, colorScheme: scheme,
+      reducedMotion: still ? "reduce" : "no-preference", hasTouch: width < 500 });
+    const page = await context.newPage();
+    page.on("console", (message) => this.said.push(message.text()));
+    page.on("pageerror", (error) => this.said.push(String(error.stack)));
+    page.on("request", (request) => {
+      if (request.url().split("#")[0] !== this.#file && !request.url().startsWith("data:")) this.said.push(`asks for ${request.url()}`);
+    });
+    await page.addInitScript(() => {
+      globalThis.frames_ = 0;
+      const request = globalThis.requestAnimationFrame.bind(globalThis);
+      globalThis.requestAnimationFrame = (call) => (globalThis.frames_++, request(call));
+    });
+    await page.goto(this.#file + hash);
+    await page.waitForSelector("html[data-ready]");
+    return page;
+  }
+
+  /** One that has started a section, and has it in view. */
+  async section(id, options = {}) {
+    const page = await this.open({ hash: `#${id}`, ...options });
+    await page.waitForSelector(`[data-section=${id}][data-ready]`);
+    await settle(page);
+    return page;
+  }
+
+  /** How long it takes until the page is there   [ms]: by the clock, and of the main thread's processor time. */
+  async readyAfter() {
+    const context = await this.#browser.newContext();
+    const page = await context.newPage(), session = await context.newCDPSession(page);
+    await session.send("Performance.enable", { timeDomain: "threadTicks" });
+    await page.goto(this.#file);
+    await page.waitForSelector("html[data-ready]");
+    const { metrics } = await session.send("Performance.getMetrics");
+    const wall = await page.evaluate(() => Number(document.documentElement.dataset.ready));
+    await context.close();
+    return { wall, work: 1000 * metrics.find(({ name }) => name === "TaskDuration").value };
+  }
+
+  async close() {
+    await this.#browser.close();
+  }
+}
+
+/** Until nothing is drawn any more, and the address is written. */
+export async function settle(page) {
+  for (let still = 0, last = -1, tries = 0; still < 3 && tries < 60; ++tries) {
+    await page.waitForTimeout(120);
+    const now = await page.evaluate(() => globalThis.frames_);
+    still = now === last ? still + 1 : 0;
+    last = now;
+  }
+}
+
+/** Frames that are asked for in a time   [ms]. */
+export async function framesIn(page, time) {
+  const before = await page.evaluate(() => globalThis.frames_);
+  await page.waitForTimeout(time);
+  return (await page.evaluate(() => globalThis.frames_)) - before;
+}
+
+/** The numbers that a section shows, by their names. */
+export const shown = (page, id) => page.evaluate((section) => Object.fromEntries(
+  [...document.querySelectorAll(`[data-section=${section}] [data-name][data-value]`)].map((one) => [one.dataset.name, one.dataset.value])), id);
+
+/** Numbers and graphs of a section, as one text that changes with them. */
+export async function numbersAndGraphs(page, id) {
+  await settle(page);
+  return page.evaluate((section) => [
+    ...[...document.querySelectorAll(`[data-section=${section}] [data-name][data-value]:not(input, fieldset)`)].map((one) => `${one.dataset.name}=${one.dataset.value}`),
+    ...[...document.querySelectorAll(`[data-section=${section}] .plot canvas`)].filter((one) => one.checkVisibility()).map((one) => one.toDataURL()),
+  ].join(), id);
+}
+
+/** And its pictures. */
+export async function fingerprint(page, id) {
+  const hash = createHash("sha256").update(await numbersAndGraphs(page, id));
+  for (const picture of await page.locator(`[data-section=${id}] .frame:visible`).all()) hash.update(await picture.screenshot());
+  return hash.digest("hex");
+}
+
+/** What a picture holds: how many colours, and how much of it is not like its edge. */
+export async function pixels(page, locator) {
+  const bytes = (await locator.screenshot()).toString("base64");
+  const helper = await page.context().newPage();
+  try {
+    return await helper.evaluate(async (data) => {
+      const image = new Image();
+      image.src = `data:image/png;base64,${data}`;
+      await image.decode();
+      const canvas = Object.assign(document.createElement("canvas"), { width: image.width, height: image.height });
+      const context = canvas.getContext("2d", { willReadFrequently: true });
+      context.drawImage(image, 0, 0);
+      const { data: all } = context.getImageData(0, 0, canvas.width, canvas.height);
+      const colors = new Map();
+      for (let i = 0; i < all.length; i += 4) {
+        const color = ((all[i] >> 3) << 10) | ((all[i + 1] >> 3) << 5) | (all[i + 2] >> 3);
+        colors.set(color, (colors.get(color) ?? 0) + 1);
+      }
+      return { colors: colors.size, commonest: Math.max(...colors.values()) / (all.length / 4) };
+    }, bytes);
+  } finally {
+    await helper.close();
+  }
+}
+
+/** Runs cases, and tells which fail. */
+export class Cases {
+  failures = 0;
+  count = 0;
+
+  async run(name, test) {
+    this.count++;
+    const began = Date.now();
+    try {
+      await test();
+      console.log(`ok    ${name} (${Date.now() - began} ms)`);
+    } catch (error) {
+      this.failures++;
+      console.log(`FAIL  ${name}: ${error.message}`);
+    }
+  }
+}
+
+export function expect(condition, text) {
+  if (!condition) throw new Error(text);
+}
+
+/** Within `relative` of the expected value, or of `size` if that is greater. NaN is near nothing. */
+export function near(value, expected, relative, what, size = 0) {
+  const off = Math.abs(Number(value) - expected) / Math.max(Math.abs(expected), size);
+  expect(Number(value) === expected || off <= relative, `${what} is ${value}, not ${expected}: ${off.toExponential(1)} off`);
+}

@@ -1,0 +1,36 @@
+// Tests the page in a browser.
+// usage: node run.mjs SOURCE_DIR PAGE LIBRARY REPORT [SECTION…]   (goishi.html, libgoishi.so, a folder for pictures)
+
+import { existsSync, mkdirSync } from "node:fs";
+import { dirname, join, resolve } from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { Browser, Cases, expect, Native } from "./harness.mjs";
+import { every } from "./every.mjs";
+import { whole } from "./whole.mjs";
+
+const [source, page, library, report, ...only] = process.argv.slice(2);
+const here = dirname(fileURLToPath(import.meta.url));
+mkdirSync(report, { recursive: true });
+
+const { constants } = await import(pathToFileURL(join(resolve(source), "src/web/constants.mjs")).href);
+const C = Object.fromEntries(constants());
+const browser = await Browser.start(resolve(page));
+const native = new Native(join(here, "native.py"), resolve(library));
+const cases = new Cases();
+
+const first = await browser.open();
+const ids = await first.evaluate(() => [...document.querySelectorAll("[data-section]")].map((one) => one.dataset.section));
+await first.context().close();
+
+if (only.length === 0) await whole(browser, cases, ids, report);
+for (const id of only.length > 0 ? only : ids) {
+  await every(id, browser, cases, report);
+  await cases.run(`${id} has tests of its own`, async () => expect(existsSync(join(here, `${id}.mjs`)), `there is no ${id}.mjs`));
+  if (existsSync(join(here, `${id}.mjs`))) await (await import(`./${id}.mjs`)).test({ browser, cases, native, C });
+}
+await cases.run("the page says nothing and asks for nothing", async () => expect(browser.said.length === 0, [...new Set(browser.said)].join("; ")));
+
+native.end();
+await browser.close();
+console.log(`${cases.count} cases, ${cases.failures} fail`);
+process.exit(cases.failures === 0 && cases.count > 0 ? 0 : 1);
