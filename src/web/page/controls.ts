@@ -171,7 +171,7 @@ export interface Choice<V extends string> {
   token?: Token;
 }
 
-/** One of several, as pills. */
+/** One of several, as pills; `quiet`: its label is only read aloud. */
 export class ChoiceControl<V extends string> implements Control {
   readonly key: string;
   readonly element: HTMLElement;
@@ -184,7 +184,7 @@ export class ChoiceControl<V extends string> implements Control {
     this.key = options.key;
     this.#first = this.#value = options.value;
     const name = fresh("choice");
-    this.element = el("fieldset", options.quiet ? "pills quiet" : "pills", { "data-name": options.key }, el("legend", "", {}, options.label));
+    this.element = el("fieldset", "pills", { "data-name": options.key }, el("legend", options.quiet ? "unseen" : "", {}, options.label));
     for (const { value, label, token } of options.choices) {
       const input = el("input", "", { type: "radio", name, value });
       input.addEventListener("change", () => {
