@@ -65,9 +65,9 @@ TEST(CInterface, PublishedSeparation) {
   std::set<double> regions;
   for (int i = 0; i < 400; ++i) {
     Scene scene = scenes.next();
-    const Vec place(scenes.between(-0.222, 0.222), scenes.between(-0.237, 0.237), scenes.between(-0.01, 0.012));
-    scene.start.p_WB =
-        i % 4 == 0 ? Vec(place + scenes.vector(0.01)) : Vec(0.21 * (0.0 < place.x() ? 1 : -1), place.y(), place.z());
+    const double x = scenes.between(-0.222, 0.222), y = scenes.between(-0.237, 0.237), z = scenes.between(-0.01, 0.02);
+    const bool at_side = i % 3 != 0, at_top = i % 2 == 0;
+    scene.start.p_WB = {at_side ? std::copysign(0.212, x) : x, at_top ? std::copysign(0.227, y) : y, z};
     std::copy_n(scene.start.p_WB.data(), 3, scene.state.begin());
     const List pose = scene.pose_list();
     List got(GOISHI_PUBLISHED_SEPARATION_SIZE), expected;

@@ -1,5 +1,5 @@
-/** Marks in space: a dot, and a plate that a stone touches. */
-import { CircleGeometry, Color, Mesh, ShaderMaterial, SphereGeometry, Vector3, type BufferGeometry } from "three";
+/** Marks in space: a dot, a plate that a stone touches, a cone of friction. */
+import { CircleGeometry, Color, ConeGeometry, Mesh, ShaderMaterial, SphereGeometry, Vector3, type BufferGeometry } from "three";
 import type { Vec } from "../core";
 import { rgb, type Token } from "../look";
 
@@ -63,6 +63,21 @@ export class PlateShape extends Flat {
   at(point: Vec, normal: Vec): void {
     this.position.set(...point);
     this.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(...normal));
+    this.visible = true;
+  }
+}
+
+/** A cone that opens upwards. */
+export class ConeShape extends Flat {
+  constructor(token: Token) {
+    super(new ConeGeometry(1, 1, 48, 1, true).rotateX(-Math.PI / 2).translate(0, 0, 0.5), token, 0.16, true);
+    this.renderOrder = 4;
+  }
+
+  /** Its tip at a point [mm], with a slope of `slope` across for 1 upwards, so high [mm]. */
+  at(point: Vec, slope: number, high: number): void {
+    this.position.set(...point);
+    this.scale.set(slope * high, slope * high, high);
     this.visible = true;
   }
 }
