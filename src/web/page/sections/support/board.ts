@@ -118,7 +118,7 @@ export function atBoard(bag: Bag): Picture {
     const listed = Array.from({ length: talk[C.AXES]! }, (_, i) => talk.subarray(C.FIRST_AXIS + i * C.AXIS_SIZE, C.FIRST_AXIS + (i + 1) * C.AXIS_SIZE));
     rows.replaceChildren(...listed.map((one) => {
       const d = one[C.AXIS_DEPTH]!, same = [0, 1, 2].every((k) => one[k] === axis[k]);
-      return row(axisName(one), d, d < 0 ? "separates" : same && colliding ? (push.value === "least" ? "the least: out along it" : "the most: out along it") : "overlap", same ? "picked" : "");
+      return row(axisName(one), d, d < 0 ? "separates" : same && colliding ? "pushed out along it" : "overlap", same ? "picked" : "");
     }), row("contact normal", -distance, distance < 0 ? "the true depth" : "a true gap", "c-normal"));
     figure.label = `A Go stone near the board. ${verdict.element.textContent}; truly ${gap.element.textContent}.`;
     figure.invalidate();

@@ -19,7 +19,7 @@ export function inFlight(bag: Bag): Picture {
     new NumberControl(bag.panel, { key, label, unit, least, greatest, step, value }, bag.changed);
   const against = new ChoiceControl(bag.panel, { key: "against", label: "thrown at", value: "board",
     choices: [{ value: "board", label: "the board’s edge" }, { value: "stone", label: "another stone" }] }, bag.changed);
-  const high = number("high", "height", "mm", 0, 60, 1, 22), speed = number("speed", "speed", "m/s", 0.2, 2, 0.01, 0.55);
+  const high = number("high", "height", "mm", 0, 60, 1, 22), speed = number("speed", "speed", "m/s", 0.2, 2, 0.01, 0.45);
   const across = number("across", "spin, across", "rad/s", -120, 120, 1, 40), about = number("about", "spin, its axis", "rad/s", -120, 120, 1, 20);
   const when = new Shown("touch"), how = new Shown("touch-part"), gap = new Shown("flight-gap"), cost = new Shown("normals");
   const left = caption(bag, "left", when, [how, cost], "exact"), right = caption(bag, "right", gap, []);
@@ -56,7 +56,7 @@ export function inFlight(bag: Bag): Picture {
     speed: 25,
     look: () => figure.frame(against.value === "board"
       ? { target: [edge + 14, 0, 6], azimuth: -1.35, elevation: 0.16, distance: 125 }
-      : { target: [0, 0, 70], azimuth: -1.35, elevation: 0.14, distance: 175 }),
+      : { target: [0, 0, 64], azimuth: -1.35, elevation: 0.14, distance: 160 }),
     update() {
       begin();
       hit = second ? goishi.timeOfImpactStones(bag.stone(), start, black, second, gravity, horizon)
@@ -65,7 +65,7 @@ export function inFlight(bag: Bag): Picture {
       end = touches ? hit[C.HIT_TIME]! : hit[C.HIT_STATUS] === C.HIT_OVERLAPPING ? 0 : horizon;
       const times = Array.from({ length: samples + 1 }, (_, i) => (end * i) / samples);
       graph.set(times, [times.map((time) => 1e3 * between(motions(time))[C.GAP]!)], 0, end);
-      when.set(end, touches ? `touches after ${fixed(1e3 * end, 4)} ms` : end === 0 ? "touches from the start" : `no touch in ${fixed(1e3 * horizon, 0)} ms`);
+      when.set(end, touches ? `it touches after ${fixed(1e3 * end, 4)} ms` : end === 0 ? "touches from the start" : `no touch in ${fixed(1e3 * horizon, 0)} ms`);
       const part = hit[C.HIT_CONTACT + C.FEATURE] === C.RIM ? "rim" : "cap";
       how.set(touches ? hit[C.HIT_CONTACT + C.OTHER_FEATURE]! : NaN, touches ? `its ${part} on ${where[hit[C.HIT_CONTACT + C.OTHER_FEATURE]!] ?? "the board"}` : "");
       cost.set(hit[C.HIT_STEPS]!, `found in ${hit[C.HIT_STEPS]!} steps`);
