@@ -87,6 +87,11 @@ export class NumberControl implements Control {
     this.#show();
   }
 
+  /** What it was at first. */
+  get first(): number {
+    return this.#o.value;
+  }
+
   get text(): string {
     return String(this.#value);
   }

@@ -71,10 +71,18 @@ export class Figure {
     this.element.setAttribute("aria-label", text);
   }
 
-  /** The view that Home goes back to. */
-  frame(view: Partial<View>): void {
-    Object.assign(this.#first, view);
+  /** The view that Home goes back to; from as near as it shows these points [mm], too. */
+  frame(view: Partial<View>, points: readonly (readonly [number, number, number])[] = []): void {
     Object.assign(this.view, view);
+    const inside = () => {
+      this.#place();
+      return points.every((point) => {
+        const seen = new Vector3(...point).project(this.camera);
+        return Math.abs(seen.x) < 0.85 && Math.abs(seen.y) < 0.8;
+      });
+    };
+    for (let i = 0; i < 60 && !inside(); ++i) this.view.distance *= 1.06;
+    Object.assign(this.#first, this.view);
     this.invalidate();
   }
 

@@ -75,6 +75,25 @@ export async function every(id, browser, cases, report) {
     await page.context().close();
   });
 
+  await case_("the picture goes with time, and back", async () => {
+    const page = await browser.section(id);
+    for (const timeline of await page.locator(`${inside} .timeline`).all()) {
+      await page.evaluate(() => document.querySelectorAll(".overlay").forEach((one) => (one.style.visibility = "hidden"))); // its words change, too
+      const at = async (share) => {
+        await timeline.evaluate((one, value) => {
+          one.value = String(value * 10000);
+          one.dispatchEvent(new Event("input"));
+        }, share);
+        await settle(page);
+        return Buffer.concat(await Promise.all((await page.locator(`${inside} .picture:visible`).all()).map((one) => one.screenshot())));
+      };
+      const first = await at(0.03), second = await at(0.4);
+      expect(!first.equals(second), "it stays as it is");
+      expect(first.equals(await at(0.03)), "on the way back it is another one");
+    }
+    await page.context().close();
+  });
+
   await case_("a wrong value says the rule and changes nothing", async () => {
     const page = await browser.section(id);
     for (const field of await page.locator(`${inside} input.number:visible`).all()) {

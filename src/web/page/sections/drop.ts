@@ -92,7 +92,6 @@ export const drop: Section = {
     // --- controls
     const [left, right] = panel(wide, "The start", "Stone and wood") as [HTMLElement, HTMLElement];
     const changed = () => {
-      chosen = null;
       mark();
       again();
     };
@@ -119,9 +118,9 @@ export const drop: Section = {
     const shell = new ChoiceControl(choices, { key: "stone", label: "stone, size 33", value: "white",
       choices: [{ value: "white", label: "shell" }, { value: "black", label: "slate" }] }, changed);
     const compare = new SwitchControl(left, { key: "loop", label: "beside it the talk’s loop, 60 times a second", value: false, token: "published" },
-      () => { show_(); remember(place, controls); });
+      () => { arrange(); remember(place, controls); });
     const integral = new SwitchControl(left, { key: "jellett", label: "Jellett’s integral", value: false, token: "momentum" },
-      () => { show_(); remember(place, controls); });
+      () => { arrange(); remember(place, controls); });
     const controls: Control[] = [...Object.values(c), law, shell, compare, integral];
 
     // --- words below
@@ -152,7 +151,6 @@ export const drop: Section = {
 
     // --- what it is about
     let run: Run | null = null, loop: Loop | null = null, said: Said[] = [], greatest = 1, started = false;
-    let chosen: string | null = "dropped";
 
     const values = (): Start => ({
       shell: shell.value, bevel: c.bevel.value, height: c.height.value, tilt: c.tilt.value, spin: c.spin.value, tumble: c.tumble.value,
@@ -168,7 +166,14 @@ export const drop: Section = {
       inputs.set(name, input);
       starter.append(el("label", "pill", {}, input, label));
     }
+    /** The ready-made start that the controls have now. */
+    function matching(): string | null {
+      const same = ({ start }: { start: Partial<Start> }) => law.value === (start.law ?? "dry") &&
+        Object.entries(c).every(([key, control]) => control.value === (start[key as keyof typeof c] ?? control.first));
+      return Object.keys(starts).find((name) => same(starts[name]!)) ?? null;
+    }
     function mark(): void {
+      const chosen = matching();
       for (const [name, input] of inputs) input.checked = name === chosen;
       says.textContent = chosen ? starts[chosen]!.says : "";
     }
@@ -181,7 +186,6 @@ export const drop: Section = {
       }
       integral.value = showing ?? false;
       transport.speed = speed ?? 5;
-      chosen = name;
       mark();
       again();
     }
@@ -223,7 +227,7 @@ export const drop: Section = {
     }
 
     /** Graphs, marks and what stands beside, without a change of time. */
-    function show_(): void {
+    function arrange(): void {
       if (!run) return;
       const { series } = run;
       loop = compare.value ? loop ?? publishedLoop(goishi, run) : null;
@@ -243,33 +247,28 @@ export const drop: Section = {
 
     function again(): void {
       if (!compute()) return;
-      update_();
+      present();
       remember(place, controls);
       if (movesByItself()) transport.restart();
       else transport.seek(run!.end);
     }
 
-    function update_(): void {
+    function present(): void {
       look();
       transport.set(run!.end, run!.events.map((event, i) => ({
         time: event[C.EVENT_TIME]!, token: said[i]!.token, high: said[i]!.high, label: said[i]!.great })));
-      show_();
+      arrange();
     }
 
     /** Frames the whole track. */
     function look(): void {
-      const { end, from } = run!;
-      let [x0, x1, y0, y1, top, bottom] = [Infinity, -Infinity, Infinity, -Infinity, 0, 0];
-      for (let i = 0; i <= 40; ++i) {
-        const p = vec(run!.at(from + ((end - from) * i) / 40), C.POSITION).map((value) => 1e3 * value) as [number, number, number];
-        const near = (value: number, limit: number) => Math.min(limit, Math.max(-limit, value));
-        [x0, x1] = [Math.min(x0, near(p[0], 900)), Math.max(x1, near(p[0], 900))];
-        [y0, y1] = [Math.min(y0, near(p[1], 900)), Math.max(y1, near(p[1], 900))];
-        [top, bottom] = [Math.max(top, p[2]), Math.min(bottom, p[2])];
-      }
-      const reach = Math.hypot(x1 - x0, y1 - y0);
-      figure.frame({ target: [(x0 + x1) / 2, (y0 + y1) / 2, bottom < 0 ? (top + bottom) / 2 : Math.max(3, top * 0.32)],
-        azimuth: bottom < 0 ? Math.atan2(y1 + y0, x1 + x0) - 0.5 : -1.05, elevation: 0.36, distance: Math.max(115, 85 + 1.9 * (top - bottom), 90 + 1.5 * reach) });
+      const { end, from } = run!, far = 900; // [mm]
+      const track = Array.from({ length: 41 }, (_, i) => vec(run!.at(from + ((end - from) * i) / 40), C.POSITION)
+        .map((value) => Math.min(far, Math.max(-far, 1e3 * value))) as [number, number, number]);
+      const [low, high] = [Math.min, Math.max].map((of) => [0, 1, 2].map((k) => of(...track.map((p) => p[k]!)))) as [number[], number[]];
+      const middle = (k: number) => (low[k]! + high[k]!) / 2, falls = low[2]! < 0;
+      figure.frame({ target: [middle(0), middle(1), falls ? middle(2) : Math.max(3, 0.32 * high[2]!)], elevation: 0.36, distance: 115,
+        azimuth: falls ? Math.atan2(middle(1), middle(0)) - 0.5 : -1.05 }, track);
     }
 
     function at(of: Loop, time: number): Numbers | null {
@@ -295,9 +294,9 @@ export const drop: Section = {
         arrow.point(vec(event, C.EVENT_POINT).map((value) => 1e3 * value) as [number, number, number],
           impulse.map((value) => scale * value) as [number, number, number]);
       }
-      track.show(lastBefore(run.series.ended, time, (ended_) => ended_) + 1);
-      const over = run.over(motion), lean_ = tiltOf(motion);
-      tilt.set(lean_, `tilt ${fixed(lean_, 1)}°`);
+      track.show(lastBefore(run.series.ended, time, (ends) => ends) + 1);
+      const over = run.over(motion), angle = tiltOf(motion);
+      tilt.set(angle, `tilt ${fixed(angle, 1)}°`);
       where.set(motion[C.POSITION + 2]!, `centre ${fixed(1e3 * motion[C.POSITION + 2]!, 2)} mm high`);
       const touches = over.gap < touching;
       const speed = speedAt(motion, over.point);
@@ -314,7 +313,7 @@ export const drop: Section = {
       }
       for (const plot of [energy, lean, jellett]) plot.now(time);
       if (stopped && words) {
-        figure.label = `A Go stone on a board, after ${fixed(time, 4)} s: ${words.great}; tilt ${fixed(lean_, 1)} degrees, centre ${fixed(1e3 * motion[2]!, 2)} mm high.`;
+        figure.label = `A Go stone on a board, after ${fixed(time, 4)} s: ${words.great}; tilt ${fixed(angle, 1)} degrees, centre ${fixed(1e3 * motion[2]!, 2)} mm high.`;
       }
       figure.invalidate();
     }
@@ -359,9 +358,8 @@ export const drop: Section = {
       controls,
       update() {
         if (!compute()) return;
-        chosen = controls.every((control) => control.isDefault || control === compare) ? "dropped" : null;
         mark();
-        update_();
+        present();
         if (!movesByItself()) transport.seek(run!.end);
         else if (started) transport.restart();
       },

@@ -39,7 +39,7 @@ float covered(float at, float space, float reach, float width) {
 void main() {
   vec3 n = normalize(vN), v = normalize(cameraPosition - vP);
   // The years of the tree run along y; seen from the end they are arcs.
-  float across = vP.x + 0.012 * vP.z * vP.z + 7.0 * noise(vec2(vP.x * 0.011, vP.y * 0.0035));
+  float across = vP.x + 0.002 * vP.z * vP.z + 7.0 * noise(vec2(vP.x * 0.011, vP.y * 0.0035));
   float year = fract(across * 0.085 + 0.6 * noise(vec2(vP.x * 0.03, vP.y * 0.004)));
   float grain = smoothstep(0.15, 0.85, year) * (1.0 - smoothstep(0.9, 1.0, year));
   float fibre = noise(vec2(vP.x * 2.6, vP.y * 0.06)) * 0.6 + noise(vec2(vP.x * 7.0, vP.y * 0.13)) * 0.4;

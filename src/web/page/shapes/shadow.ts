@@ -63,26 +63,32 @@ export class ShadowShape extends Mesh<PlaneGeometry, ShaderMaterial> {
     const u = [r[6]!, r[7]!, r[8]!] as const;
     const m = (i: 0 | 1 | 2, j: 0 | 1 | 2) => (i === j ? a2 : 0) + (c2 - a2) * u[i] * u[j];
     const height = stone.position.z - this.#ground;
-    const shape = (lx: number, ly: number) => {
+    // Inverse of S, how soft, and half the box that it needs.
+    const shape = (lx: number, ly: number, soft: number) => {
       const xx = m(0, 0) - 2 * lx * m(0, 2) + lx * lx * m(2, 2);
       const yy = m(1, 1) - 2 * ly * m(1, 2) + ly * ly * m(2, 2);
       const xy = m(0, 1) - lx * m(1, 2) - ly * m(0, 2) + lx * ly * m(2, 2);
       const det = xx * yy - xy * xy;
-      return [yy / det, -xy / det, xx / det] as const;
+      return { s: [yy / det, -xy / det, xx / det, soft] as const, box: [Math.sqrt(xx) * (1 + soft), Math.sqrt(yy) * (1 + soft)] as const };
     };
-    const size = Math.sqrt(a2), above = Math.max(0, height - Math.sqrt(c2));
+    const above = Math.max(0, height - Math.sqrt(c2));
     const [lx, ly] = [towardsLight.x / towardsLight.z, towardsLight.y / towardsLight.z];
     const uniforms = this.material.uniforms;
-    const { x, y } = stone.position;
-    uniforms["centre"]!.value.set(x - lx * height, y - ly * height);
+    const { x, y } = stone.position, far = [x - lx * height, y - ly * height] as const;
+    const thrown = shape(lx, ly, Math.min(0.9, 0.12 + above / 90)), contact = shape(0, 0, 0.9);
+    const dark = Math.exp(-above / 7);
+    uniforms["centre"]!.value.set(...far);
     uniforms["below"]!.value.set(x, y);
-    uniforms["thrown"]!.value.set(...shape(lx, ly), Math.min(0.9, 0.12 + above / 90));
-    uniforms["contact"]!.value.set(...shape(0, 0), 0.9);
+    uniforms["thrown"]!.value.set(...thrown.s);
+    uniforms["contact"]!.value.set(...contact.s);
     uniforms["deep"]!.value = 1 / (1 + above / 120);
-    uniforms["dark"]!.value = Math.exp(-above / 7);
-    const reach = 2 * size + 0.5 * height;
-    this.position.set(x - 0.5 * lx * height, y - 0.5 * ly * height, this.#ground + 0.05);
-    this.scale.set(2 * reach, 2 * reach, 1);
+    uniforms["dark"]!.value = dark;
+    const ends = [0, 1].map((k) => { // of a box around both; the second only where it is seen
+      const low = far[k]! - thrown.box[k]!, high = far[k]! + thrown.box[k]!, here = k === 0 ? x : y;
+      return dark < 0.02 ? [low, high] : [Math.min(low, here - contact.box[k]!), Math.max(high, here + contact.box[k]!)];
+    }) as [[number, number], [number, number]];
+    this.position.set((ends[0][0] + ends[0][1]) / 2, (ends[1][0] + ends[1][1]) / 2, this.#ground + 0.05);
+    this.scale.set(ends[0][1] - ends[0][0], ends[1][1] - ends[1][0], 1);
     this.visible = height > 0;
     this.updateMatrixWorld();
   }

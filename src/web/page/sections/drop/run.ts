@@ -156,16 +156,23 @@ export class Run {
     return series;
   }
 
-  /** Whether the last but one sample is a minimum; by the parabola through three. */
+  /** Whether the last but one sample is a minimum: by the parabola through three, or, where the axis passes through the
+   * vertical, by the line through the two that it lies between. */
   #low(series: Series, axes: readonly Vec[]): void {
     const n = series.time.length;
     if (n < 3) return;
     const [a, b, c] = [3, 2, 1].map((back) => Math.min(series.tilt[n - back]!, 180 - series.tilt[n - back]!)) as [number, number, number];
     const [before, now, after] = [3, 2, 1].map((back) => series.time[n - back]!) as [number, number, number];
     if (!(a > b && b <= c) || now === before || after === now) return;
-    const left = (b - a) / (now - before), right = (c - b) / (after - now);
-    const [u, w] = [axes[n - 3]!, axes[n - 1]!];
-    series.lows.push({ time: (before + now) / 2 - (left * (after - before)) / 2 / (right - left), over: u[0] * w[0] + u[1] * w[1] < 0 });
+    const u = axes[n - 3]!, along = (back: number) => u[0] * axes[n - back]![0] + u[1] * axes[n - back]![1];
+    const [p, q, r] = [along(3), along(2), along(1)];
+    if (r < 0) {
+      const time = q < 0 ? before + ((now - before) * p) / (p - q) : now + ((after - now) * q) / (q - r);
+      series.lows.push({ time, over: true });
+    } else {
+      const left = (b - a) / (now - before), right = (c - b) / (after - now);
+      series.lows.push({ time: (before + now) / 2 - (left * (after - before)) / 2 / (right - left), over: false });
+    }
   }
 
   /** How often it wobbles at a time   [Hz]; NaN where it does not. */
