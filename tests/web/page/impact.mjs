@@ -93,11 +93,11 @@ export async function test({ browser, cases, native, C }) {
 
   await case_("time runs both ways, and a step leads to the impact", async () => {
     const page = await browser.section("impact", {});
+    await page.locator(`${inside} .picture`).focus(); // its frame is seen in the pictures
     await seek(page, 0);
     const before = Number((await shown(page, "impact")).moment);
     expect(before < 0, `it begins ${before} s after`);
     const start = await fingerprint(page, "impact");
-    await page.locator(`${inside} .picture`).focus();
     await page.keyboard.press(".");
     expect(Number((await shown(page, "impact")).moment) === 0, "a step does not lead to the impact");
     const there = await fingerprint(page, "impact");

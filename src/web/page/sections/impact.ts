@@ -4,7 +4,7 @@ import { ChoiceControl, NumberControl, panel, type Control } from "../controls";
 import { C, Refused, vec, type Vec } from "../core";
 import { el } from "../dom";
 import { evidence } from "../evidence";
-import { movesByItself, onTheme, type Token } from "../look";
+import { movesByItself, onTheme } from "../look";
 import { fixed, Shown } from "../numbers";
 import { linkButton, remember, type Section } from "../section";
 import { ArrowShape } from "../shapes/arrow";
@@ -19,7 +19,7 @@ import { ImpulseSpace } from "./impact/space";
 const lasting = 0.4; // [s], real, for which the impulses are seen while it plays
 const says: Record<Way, string> = {
   linear: `<b>Linear</b>: the board stops the centre of the stone and sends it back, as if it were a ball without size. It leaves
-    without a change of its spin, and the point that touched need not even leave the board. Given at that point, so great an impulse would add energy: it is outside the shell.`,
+    without a change of its spin, and the point that touched need not even leave the board. Given at that point, so great an impulse can add energy: then it is outside the shell.`,
   angular: `<b class="c-omega">Angular</b>: the impulse at the point of contact turns the stone, too. So the point leaves e times as fast as it came.
     Without friction it goes on sliding.`,
   talk: `<b class="c-published">The talk’s law</b>: first the normal impulse, then one of friction against the slip. But friction turns the stone,
@@ -229,20 +229,20 @@ function answerTable(host: HTMLElement): { fill(met: Met, way: Way): void } {
   const body = el("tbody");
   const cells = new Map<Way, { row: HTMLElement; shown: Shown[]; bars: HTMLElement[] }>();
   const heads = ["", "normal", "across [mN s]", "rebound", "energy"];
-  const bar = (token: Token) => el("i", "", { style: `background: var(--${token})` });
   const line = (name: string, ...rest: (Node | string)[]) => el("tr", "", {}, el("th", "", { scope: "row" }, name), ...rest.map((one) => el("td", "", {}, one)));
   for (const way of all) {
-    const shown = ["normal", "across", "rebound", "energy"].map((name) => new Shown(`${way}-${name}`)), bars = [bar("momentum-loop"), bar("omega")];
+    const shown = ["normal", "across", "rebound", "energy"].map((name) => new Shown(`${way}-${name}`)), bars = [el("i"), el("i")];
     const row = el("tr", "", {}, el("th", "", { scope: "row" }, el("span", "key", {}, el("i", "", { style: `background: var(--${ways[way].token})` }), ways[way].short)),
       ...[0, 1, 2].map((k) => el("td", "r", {}, shown[k]!.element)), el("td", "", {}, el("div", "energy-bar", {}, ...bars), shown[3]!.element));
     cells.set(way, { row, shown, bars });
     body.append(row);
   }
-  const start = new Shown("energy-before"), startBars = [bar("momentum-loop"), bar("omega")];
+  const start = new Shown("energy-before"), startBars = [el("i"), el("i")];
   body.append(line("before", "", "", "", el("div", "", {}, el("div", "energy-bar", {}, ...startBars), start.element)));
   host.append(el("div", "answers scroll", { tabindex: 0, role: "region", "aria-label": "the five answers" }, el("p", "plot-title", {}, el("b", "", {}, "The five answers"), " ",
-    el("span", "", {}, "impulse, rebound of the point, energy of ", el("b", "c-stick", {}, "translation"), " and ", el("b", "c-omega", {}, "rotation"))), el("table", "", {}, el("thead", "", {}, el("tr", "", {},
-    ...heads.map((head, i) => el(i === 0 ? "td" : "th", i > 0 && i < 4 ? "r" : "", i === 0 ? {} : { scope: "col" }, head)))), body)));
+    el("span", "", {}, "impulse, rebound of the point, energy after")), el("table", "", {}, el("thead", "", {}, el("tr", "", {},
+    ...heads.map((head, i) => el(i === 0 ? "td" : "th", i > 0 && i < 4 ? "r" : "", i === 0 ? {} : { scope: "col" }, head)))), body),
+    el("div", "space-legend", {}, el("span", "key", {}, el("i", "moving-key"), "of translation"), el("span", "key", {}, el("i", "turning-key"), "of rotation"))));
   return {
     fill(met, way) {
       const all_ = met.moving + met.turning;
