@@ -68,7 +68,7 @@ export async function test({ browser, cases, native, C }) {
         expect(Number(now.certified) === exact[C.CERTIFIED], `certified ${now.certified}`);
         const at = push === "least" ? C.LEAST_AXIS : C.MOST_AXIS;
         if (talk[C.COLLIDING] === 1) {
-          near(now.push, talk[at + C.AXIS_DEPTH], same, "the push", w);
+          near(now.pushed, talk[at + C.AXIS_DEPTH], same, "the push", w);
           const cosine = [0, 1, 2].reduce((sum, k) => sum + exact[C.NORMAL + k] * talk[at + k], 0);
           near(Math.cos((Number(now.off) * Math.PI) / 180), cosine, 1e-9, "how far the normal is off");
           near(now.lie, exact[C.GAP] > 0 ? exact[C.GAP] : talk[at + C.AXIS_DEPTH] + exact[C.GAP], same, "the lie", w);

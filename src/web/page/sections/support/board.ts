@@ -57,7 +57,7 @@ export function atBoard(bag: Bag): Picture {
   bag.wide.append(el("div", "plots two", {}, map, table));
   const below = map.parentElement!;
 
-  const verdict = new Shown("verdict"), where = new Shown("region"), pushes = new Shown("push"), lie = new Shown("lie");
+  const verdict = new Shown("verdict"), where = new Shown("region"), pushes = new Shown("pushed"), lie = new Shown("lie");
   const gap = new Shown("gap"), off = new Shown("off"), proved = new Shown("certified");
   const left = caption(bag, "left", verdict, [where, pushes, lie], "published"), right = caption(bag, "right", gap, [off, proved], "exact");
 

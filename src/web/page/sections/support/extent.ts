@@ -47,7 +47,7 @@ export function extent(bag: Bag): Picture {
     elements: [lean.element, left, right, plots],
     onBoard: false,
     speed: 1,
-    look: () => figure.frame({ target: [4, 0, 0], azimuth: -1.3, elevation: 0.16, distance: 88 }),
+    look: () => figure.frame({ target: [4, 0, 0], azimuth: -1.3, elevation: 0.16, distance: 80 }),
     update() {
       const angle = (lean.value * Math.PI) / 180;
       axis = [Math.sin(angle), 0, Math.cos(angle)];
