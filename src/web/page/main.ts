@@ -30,5 +30,5 @@ export async function start(wasm: Uint8Array): Promise<void> {
   window.addEventListener("hashchange", () => follow(true));
   follow(true);
   document.documentElement.dataset["ready"] = performance.now().toFixed(1); // since the page was asked for [ms]
-  Object.assign(globalThis, { goishiStage: stage }); // tests ask for its memory
+  Object.assign(globalThis, { goishiStage: stage }); // tests ask for its memory and rest
 }

@@ -156,6 +156,11 @@ export class Stage {
     figure.draw(renderer, scale);
   }
 
+  /** Whether all that is seen is drawn, as finely as it can be: tests wait for it. */
+  get atRest(): boolean {
+    return this.#frame === 0 && this.#steps.size === 0 && this.#coarse.size === 0;
+  }
+
   /** What the drawings hold of the graphics memory: tests look whether it grows. */
   get memory(): { geometries: number; textures: number } {
     const { geometries, textures } = this.#renderer?.info.memory ?? { geometries: 0, textures: 0 };

@@ -193,9 +193,11 @@ export async function every(id, browser, cases, report) {
       globalThis.lose.loseContext();
     });
     await page.waitForTimeout(200);
-    await page.evaluate(() => globalThis.lose.restoreContext());
+    await page.evaluate(() => new Promise((restored) => {
+      document.querySelector("canvas.gl").addEventListener("webglcontextrestored", restored);
+      globalThis.lose.restoreContext();
+    }));
     await settle(page);
-    await page.waitForTimeout(400);
     const after = await picture.screenshot();
     browser.said.splice(said, Infinity, ...browser.said.slice(said).filter((text) => !/context|CONTEXT_LOST/i.test(text))); // three tells of it
     expect(before.equals(after), "it does not look as before");

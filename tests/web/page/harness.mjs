@@ -96,8 +96,8 @@ export class Browser {
 export async function settle(page) {
   for (let still = 0, last = -1, tries = 0; still < 3 && tries < 60; ++tries) {
     await page.waitForTimeout(120);
-    const now = await page.evaluate(() => globalThis.frames_);
-    still = now === last ? still + 1 : 0;
+    const [now, rests] = await page.evaluate(() => [globalThis.frames_, globalThis.goishiStage?.atRest ?? true]);
+    still = rests && now === last ? still + 1 : 0;
     last = now;
   }
 }
