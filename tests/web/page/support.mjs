@@ -53,13 +53,15 @@ export async function test({ browser, cases, native, C }) {
   await case_("in each region: gap, normal, all axes, and where the talk would push", async () => {
     const page = await browser.section("support", { hash: "#support?show=board" });
     const stone = await stoneOf(), regions = new Set();
-    let denied = 0;
+    let denied = 0, deep = 0;
     for (const button of await page.locator(`${inside} .region`).all()) {
       await button.click();
-      for (const push of ["most", "least"]) {
+      const z = await value(page, "z");
+      for (const [push, lower] of [["most", 0], ["most", 1.7], ["least", 1.7], ["least", 0]]) {
+        await page.locator(`${inside} input.number[data-name=z]`).fill(String(z - lower));
         await page.locator(`${inside} fieldset[data-name=push] input[value=${push}]`).check({ force: true });
         const now = await shown(page, "support");
-        const pose = [1e-3 * await value(page, "x"), 1e-3 * await value(page, "y"), 1e-3 * await value(page, "z"), ...leaning(12, 0)];
+        const pose = [1e-3 * await value(page, "x"), 1e-3 * await value(page, "y"), 1e-3 * await value(page, "z"), ...leaning(12, await value(page, "heading"))];
         const exact = await separation(stone, pose, board);
         const talk = await call("published_separation", stone, pose, board, { out: C.PUBLISHED_SEPARATION_SIZE });
         near(now.gap, exact[C.GAP], same, "the gap", w);
@@ -73,6 +75,7 @@ export async function test({ browser, cases, native, C }) {
           near(Math.cos((Number(now.off) * Math.PI) / 180), cosine, 1e-9, "how far the normal is off");
           near(now.lie, exact[C.GAP] > 0 ? exact[C.GAP] : talk[at + C.AXIS_DEPTH] + exact[C.GAP], same, "the lie", w);
           if (exact[C.GAP] > 1e-3) denied++;
+          if (exact[C.GAP] < -1e-4) deep++;
         }
         const rows = await page.locator(`${inside} .axes tbody td.r`).allTextContents();
         expect(rows.length === talk[C.AXES] + 1, `${rows.length} rows for ${talk[C.AXES]} axes`);
@@ -85,6 +88,7 @@ export async function test({ browser, cases, native, C }) {
       expect(await button.getAttribute("aria-pressed") === "true", "its button is not marked");
     }
     expect(regions.size === 9, `regions ${[...regions]}`);
+    expect(deep >= 18, `it overlaps ${deep} times only`);
     expect(denied >= 16, `a gap of 1 mm is denied ${denied} times only`);
     await page.context().close();
   });

@@ -44,6 +44,8 @@ export function atBoard(bag: Bag): Picture {
   const buttons = grid.map((region) => {
     const button = el("button", "region", { type: "button", "aria-pressed": "false" }, names[region]!);
     button.addEventListener("click", () => {
+      const [x, y] = outward(region);
+      if (x !== 0 || y !== 0) bag.heading.value = Math.round((Math.atan2(y, x) * 180) / Math.PI); // it leans away from the board
       spot(region).forEach((value, i) => (place[i]!.value = value));
       look(region);
       bag.changed();

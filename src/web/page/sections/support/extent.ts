@@ -26,6 +26,13 @@ export function extent(bag: Bag): Picture {
 
   const plates = [new PlateShape("exact", 13), new PlateShape("exact", 13)] as const;
   const rail = new TrailShape("soft", 1.2), bar = new TrailShape("exact", 6);
+  for (const line of [rail, bar]) line.through([0, 0, -0.5, 0, 0, 0.5]);
+  const stretch = (line: TrailShape, middle: Vec, length: number) => {
+    line.position.set(...middle);
+    line.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(...axis));
+    line.scale.z = length;
+    line.visible = true;
+  };
   figure.scene.add(...plates, rail, bar);
   onTheme(() => [...plates, rail, bar].forEach((one) => one.paint()));
 
@@ -69,8 +76,8 @@ export function extent(bag: Bag): Picture {
       const along = (s: number): Vec => plus(foot, s, axis);
       plates[0].at(mm(plus([0, 0, 0], upper.reach, axis)), axis);
       plates[1].at(mm(plus([0, 0, 0], -lower.reach, axis)), axis);
-      rail.through([...along(-14), ...along(14)]);
-      bar.through([...along(-1e3 * lower.reach), ...along(1e3 * upper.reach)]);
+      stretch(rail, along(0), 28);
+      stretch(bar, along(500 * (upper.reach - lower.reach)), 1e3 * (upper.reach + lower.reach));
       bag.here.at(mm(upper.point));
       bag.there.at(mm(lower.point));
       reach.set(upper.reach, `reaches ${fixed(1e3 * upper.reach, 3)} mm`);
