@@ -45,7 +45,9 @@ export async function test({ browser, cases, native, C }) {
       answers[way] = { normal: found.impulse[2], across: Math.hypot(found.impulse[0], found.impulse[1]), slip: Math.hypot(after[0], after[1]),
         rebound: -after[2] / pointVelocity(v, L)[2], energy: energy(found.v, found.L) };
     }
-    return { before: energy(v, L), answers };
+    /** W x = x/m + (I⁻¹ (r × x)) × r. */
+    const respond = (x) => pointVelocity(x.map((one) => one / measures[C.TRUE_MASS]), cross(point.map((one, i) => one - state[i]), x));
+    return { before: energy(v, L), answers, mobility: [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(respond), velocity: pointVelocity(v, L) };
   }
 
   const scenes = [{}, { tilt: 0, spin: 0 }, { tilt: 75, down: 1.2, along: -0.4, e: 0.2, mu: 0.8 }, { tilt: 40, tumble: -40, spin: -90, e: 0.9, mu: 0.1 },
@@ -139,6 +141,33 @@ export async function test({ browser, cases, native, C }) {
     };
     for (const mu of [0.1, 0.3, 0.7]) near(await slope(mu), mu, 0.02, "the slope of the cone");
     await page.context().close();
+  });
+
+  await case_("the shell is where the energy stays the same", async () => {
+    const solve = ([a, b, c], y) => { // by Cramer's rule
+      const det = (p, q, r) => p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) + p[2] * (q[0] * r[1] - q[1] * r[0]);
+      return [det(y, b, c), det(a, y, c), det(a, b, y)].map((one) => one / det(a, b, c));
+    };
+    const inner = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
+    const [azimuth, elevation] = [-1.2, 0.22]; // as it is seen at first
+    const right = [-Math.sin(azimuth), Math.cos(azimuth), 0];
+    const upward = [-Math.cos(azimuth) * Math.sin(elevation), -Math.sin(azimuth) * Math.sin(elevation), Math.cos(elevation)];
+    for (const scene of [{}, { tilt: 65, spin: -80, along: -0.5 }, { tilt: 10, tumble: 30, down: 1 }]) {
+      const text = Object.entries(scene).map(([key, value]) => `${key}=${value}`).join("&");
+      const page = await browser.section("impact", { hash: `#impact?${text}` });
+      const { answers, mobility, velocity } = await natively(scene);
+      const holding = solve(mobility, velocity).map((x) => -x), size = Math.sqrt(-inner(holding, velocity));
+      const points = async (look) => (await page.locator(`${inside} .space .${look}`).first().getAttribute("d")).replace(/[MZ]/g, "").split("L").map((one) => one.split(" ").map(Number));
+      const [, tip] = await points("cone-side"), spot = page.locator(`${inside} .space circle`).first(); // the linear answer's
+      const scale = (tip[1] - Number(await spot.getAttribute("cy"))) / (answers.linear.normal * Math.cos(elevation));
+      const shell = await points("shell");
+      for (const [k, way, sign] of [[0, right, 1], [1, upward, -1]]) {
+        const values = shell.map((one) => (sign * (one[k] - tip[k])) / scale), half = size * Math.sqrt(inner(way, solve(mobility, way)));
+        near((Math.max(...values) + Math.min(...values)) / 2, inner(holding, way), 0.01, `${text}: its middle, ${k}`, half);
+        near((Math.max(...values) - Math.min(...values)) / 2, half, 0.01, `${text}: half of it, ${k}`);
+      }
+      await page.context().close();
+    }
   });
 
   await case_("a hand tilts the stone", async () => {
