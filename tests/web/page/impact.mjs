@@ -75,6 +75,18 @@ export async function test({ browser, cases, native, C }) {
     expect(coupled >= 3, `the talk's law rebounds with e but in ${coupled} scenes`);
   });
 
+  await case_("a point that leaves gets no impulse", async () => {
+    const page = await browser.section("impact", { hash: "#impact?down=0.05&tilt=60&tumble=-60&spin=0" });
+    const now = await shown(page, "impact"), { before, velocity } = await natively({ down: 0.05, tilt: 60, tumble: -60, spin: 0 });
+    expect(velocity[2] > 0, `it approaches with ${-velocity[2]} m/s`);
+    for (const way of ["angular", "talk", "stronge", "default"]) {
+      expect(Number(now[`${way}-normal`]) === 0 && Number(now[`${way}-across`]) === 0, `${way} gives an impulse`);
+      near(now[`${way}-energy`], before, same, `${way}: the energy`);
+    }
+    expect(now.rebound === "NaN" && Number(now.outcome) === C.SEPARATING, `it rebounds with ${now.rebound}, outcome ${now.outcome}`);
+    await page.context().close();
+  });
+
   await case_("what is chosen is said over the picture", async () => {
     const page = await browser.section("impact", {});
     const { before, answers } = await natively({});

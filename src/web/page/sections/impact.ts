@@ -32,7 +32,7 @@ const says: Record<Way, string> = {
 
 export const impact: Section = {
   id: "impact",
-  title: "What an impact does",
+  title: "Collision response",
   lead: `An impact is over at once: all that the board can give the stone is one <b class="c-impulse">impulse</b>. Friction
     keeps it inside a cone, restitution says how fast the point of contact leaves. Within that, laws differ. Here is one impact,
     answered in five ways.`,
@@ -51,7 +51,7 @@ export const impact: Section = {
     const words = el("p", "remark says", { "aria-live": "polite" }), refused = el("p", "rule", { role: "alert" });
     wide.append(words);
     const figure = stage.figure(wide, {
-      label: "A Go stone that meets the board.", still, view: { target: [0, 0, 13], azimuth: -1.2, elevation: 0.2, distance: 118 },
+      label: "A Go stone that meets the board.", still, view: { target: [0, 0, 12], azimuth: -1.2, elevation: 0.2, distance: 104 },
       elevations: [0.04, 1.5], grip,
     });
     const first = goishi.catalogueStone(33, C.WHITE, 1e-3);
@@ -82,7 +82,7 @@ export const impact: Section = {
       tilt: number(left, "tilt", "tilt of its axis", "°", 0, 90, 1, 40),
       down: number(left, "down", "speed down", "m/s", 0.05, 2, 0.01, 0.6),
       along: number(left, "along", "speed along", "m/s", -1, 1, 0.01, 0.25),
-      tumble: number(left, "tumble", "spin across", "rad/s", -60, 60, 1, 0),
+      tumble: number(left, "tumble", "spin across it", "rad/s", -60, 60, 1, 0),
       spin: number(left, "spin", "spin about its axis", "rad/s", -120, 120, 1, 30),
       restitution: number(right, "e", "restitution e", "", 0, 1, 0.01, 0.5),
       friction: number(right, "mu", "friction μ", "", 0, 1, 0.01, 0.3),
@@ -140,7 +140,7 @@ export const impact: Section = {
       slips.set(mine.slip, `the point of contact then slips at ${fixed(1e3 * mine.slip, 1)} mm/s`);
       const share = (mine.moving + mine.turning) / (met.moving + met.turning);
       kept.set(share, `keeps ${fixed(100 * share, 1)} % of its energy`);
-      what.set(mine.outcome, !leaves ? "no impact" : mine.after[2] < 0 && mine.after[2] < 1e-6 * met.before[2] ? "still goes into the board" : !rubs(way.value) ? "no friction" : mine.outcome === C.STUCK ? "friction holds it" : mine.outcome === C.SLID ? "it slides through" : "not converged");
+      what.set(mine.outcome, !leaves ? "no impact" : mine.after[2] < 0 && mine.after[2] < 1e-6 * met.before[2] ? "still goes into the board" : !rubs(way.value) ? "no friction" : mine.outcome === C.STUCK ? "friction holds it" : mine.outcome === C.SLID ? "it slides all the while" : "not converged");
     }
 
     function show(time: number, stopped: boolean): void {

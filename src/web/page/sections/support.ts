@@ -21,7 +21,7 @@ import { pair } from "./support/pair";
 
 export const support: Section = {
   id: "support",
-  title: "Does it touch?",
+  title: "Support and separating axis",
   lead: `To know whether two bodies touch, look along an axis: if what you see of one ends before the other begins, they are
     apart. The talk looks along a few fixed axes. Goishi finds <b class="c-exact">the one that separates most</b>: its value is the
     true gap, its direction the normal of the contact.`,

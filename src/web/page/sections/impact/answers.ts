@@ -33,7 +33,7 @@ export interface Meeting {
 export interface Answer {
   impulse: Vec;    // [N s]
   after: Vec;      // [m/s] of the point of contact
-  rebound: number; // −v⁺·n / v⁻·n of it
+  rebound: number; // −v⁺·n / v⁻·n of it; NaN if it does not approach
   slip: number;    // [m/s] across the normal, after
   moving: number;  // [J] of translation, after
   turning: number; // [J] of rotation, after
@@ -90,7 +90,7 @@ export function meet(goishi: Goishi, { bevel, tilt, down, along, tumble, spin, r
     next.set(found.subarray(C.NEW_VELOCITY, C.NEW_VELOCITY + 3), C.VELOCITY);
     next.set(found.subarray(C.NEW_MOMENTUM, C.NEW_MOMENTUM + 3), C.MOMENTUM);
     const after = pointOf(next);
-    return { impulse: vec(found, C.IMPULSE), after, rebound: -after[2] / before[2], slip: Math.hypot(after[0], after[1]), ...parts(next),
+    return { impulse: vec(found, C.IMPULSE), after, rebound: before[2] < 0 ? -after[2] / before[2] : NaN, slip: Math.hypot(after[0], after[1]), ...parts(next),
       rounds: found[C.ROUNDS]!, outcome: found[C.OUTCOME]!, state: next, until: after[2] < 0 ? horizon : touchesAfter(next) };
   };
 
@@ -105,7 +105,7 @@ export function meet(goishi: Goishi, { bevel, tilt, down, along, tumble, spin, r
     back[C.MOMENTUM + k]! *= -1;
   }
   return {
-    stone, state, point, before, ...parts(state), since: before[2] < 0 ? touchesAfter(back) : horizon,
+    stone, state, point, before, ...parts(state), since: before[2] < 0 ? touchesAfter(back) : 0,
     holding: vec(goishi.impact(stone, state, C.CHATTERJEE_RUINA, 0, Infinity, point, up), C.IMPULSE),
     mobility: [column([1, 0, 0]), column([0, 1, 0]), column([0, 0, 1])],
     answers: Object.fromEntries(all.map((way) => [way, answer(way)])) as Record<Way, Answer>,

@@ -65,12 +65,12 @@ export class ImpulseSpace {
     const [c, b] = [top * Math.cos(h), wide * Math.sin(h)];
     const reach = b < c ? wide * Math.sqrt(1 - (b / c) ** 2) : 0, level = b < c ? c - (b * b) / c : 0;
     const sides: Flat[] = [[-reach, level], [0, 0], [reach, level]];
-    // The shell p · v + p · W p/2 = 0: its outline is an ellipse about the impulse that holds.
+    // The shell p · v + p · W p/2 = 0: its outline is an ellipse about the impulse that holds; none of a point that leaves.
     const inverse = inverseOf(mobility), size = inner(holding, times(mobility, holding));
     const [xx, xy, yy] = [inner(right, times(inverse, right)), inner(right, times(inverse, upward)), inner(upward, times(inverse, upward))];
     const l = Math.sqrt(size * xx), m = (size * xy) / l, n = Math.sqrt(Math.max(0, size * yy - m * m));
     const [x0, y0] = flat(holding);
-    const shell = path(around.map(([cos, sin]) => [x0 + l * cos, y0 + m * cos + n * sin]), true);
+    const shell = size === 0 ? "" : path(around.map(([cos, sin]) => [x0 + l * cos, y0 + m * cos + n * sin]), true);
 
     const unit = 10 ** Math.floor(Math.log10(90 / scale)), bar = [5, 2, 1].find((k) => k * unit * scale <= 90)! * unit;
     const tag = (at: Vec, text: string, dx = 0, dy = 0) => {
@@ -79,13 +79,13 @@ export class ImpulseSpace {
     };
     const axis = 64 / scale;
     this.#box.innerHTML = `<svg viewBox="0 0 ${width} ${height}" aria-hidden="true">
-      <path d="${shell}" class="shell"/>
+      ${shell && `<path d="${shell}" class="shell"/>`}
       <path d="${path(sides, true)}" class="cone"/><path d="${ring([0, 0, top], wide)}" class="cone"/><path d="${path(sides, false)}" class="cone-side"/>
       ${line([-axis, 0, 0], [axis, 0, 0], 'class="axis"')}${line([0, -axis, 0], [0, axis, 0], 'class="axis"')}${line([0, 0, 0], [0, 0, top], 'class="axis"')}
       ${tag([axis, 0, 0], "along", 0, 16)}${tag([0, 0, top], "normal", 30, 12)}
       ${spots.map(({ at, token, great }) => line([0, 0, 0], at, `style="stroke: var(--${token})" class="${great ? "arrow great" : "arrow"}"`)).join("")}
       ${spots.map(({ at, token, great }) => `<circle cx="${put(flat(at))[0].toFixed(1)}" cy="${put(flat(at))[1].toFixed(1)}" r="${great ? 6 : 4}" style="fill: var(--${token})"/>`).join("")}
-      <circle cx="${put(flat(holding))[0].toFixed(1)}" cy="${put(flat(holding))[1].toFixed(1)}" r="4" class="holding"/>
+      ${shell && `<circle cx="${put(flat(holding))[0].toFixed(1)}" cy="${put(flat(holding))[1].toFixed(1)}" r="4" class="holding"/>`}
       <path d="M16 ${height - 14}h${(bar * scale).toFixed(1)}" class="bar"/><text x="${(16 + bar * scale + 8).toFixed(1)}" y="${height - 10}">${digits(1e3 * bar, 1)} mN s</text>
     </svg>`;
   }

@@ -20,7 +20,7 @@ export function inFlight(bag: Bag): Picture {
   const against = new ChoiceControl(bag.panel, { key: "against", label: "thrown at", value: "board",
     choices: [{ value: "board", label: "the board’s edge" }, { value: "stone", label: "another stone" }] }, bag.changed);
   const high = number("high", "height", "mm", 0, 60, 1, 22), speed = number("speed", "speed", "m/s", 0.2, 2, 0.01, 0.45);
-  const across = number("across", "spin, across", "rad/s", -120, 120, 1, 40), about = number("about", "spin, its axis", "rad/s", -120, 120, 1, 20);
+  const across = number("across", "spin across it", "rad/s", -120, 120, 1, 40), about = number("about", "spin about its axis", "rad/s", -120, 120, 1, 20);
   const when = new Shown("touch"), how = new Shown("touch-part"), gap = new Shown("flight-gap"), cost = new Shown("normals");
   const left = caption(bag, "left", when, [how, cost], "exact"), right = caption(bag, "right", gap, []);
   const plots = el("div", "plots");

@@ -37,7 +37,7 @@ export function pair(bag: Bag): Picture {
       bag.right.place(out);
     }
     gap.set(distance, distance < 0 ? `${fixed(-1e3 * distance, 3)} mm deep` : `gap ${fixed(1e3 * distance, 3)} mm`);
-    parts.set(found[C.FEATURE]!, `the ${part(found[C.FEATURE]!)} of the white stone is next`);
+    parts.set(found[C.FEATURE]!, `nearest is the ${part(found[C.FEATURE]!)} of the white stone`);
     const lean = (Math.acos(Math.max(-1, Math.min(1, n[2]))) * 180) / Math.PI;
     off.set(n[2], `normal ${fixed(lean, 1)}° off the vertical`);
     proved.set(found[C.CERTIFIED]!, found[C.CERTIFIED] === 1 ? "no direction separates more: proved" : "not proved: a lower bound");
@@ -47,7 +47,7 @@ export function pair(bag: Bag): Picture {
 
   return {
     says: `The same rule for every pair: of all directions the one that separates most. Its value is the gap, or, below zero, the depth;
-      the direction is the <b class="c-normal">normal</b>; <b class="c-exact">the points</b> are where they are next. Drag the white
+      the direction is the <b class="c-normal">normal</b>; <b class="c-exact">the points</b> are where they are nearest. Drag the white
       stone through the black one: a ghost shows the shortest way out.`,
     controls: [...place],
     elements: [...place.map((one) => one.element), left, right],
