@@ -112,7 +112,7 @@ export async function test({ browser, cases, native, C }) {
     for (const [hash, speed, high] of [["", 0.45, 22], ["&high=6", 0.45, 6], ["&high=40", 0.45, 40], ["&speed=2&against=stone", 2, 22]]) {
       const page = await browser.section("support", { hash: `#support?show=flight${hash}` });
       const white = await stoneOf(), black = await stoneOf(C.BLACK), stones = hash.includes("stone");
-      const x = stones ? 0.038 : 0.2541;
+      const x = stones ? 0.038 : 0.2121 + 0.042;
       const start = await state(white, [x, 0, 1e-3 * (high + (stones ? 70 : 0)), ...leaning(12, 0)], [-speed, 0, 0.25], [40, 0, 20]);
       const second = await state(black, [-x, 0, 0.09, 0.9, 0.3, 0.1, 0], [speed, 0, 0.25], [-30, 10, 20]);
       const hit = stones ? await call("time_of_impact_stones", white, start, black, second, gravity, 0.15, { out: C.HIT_SIZE })

@@ -1,7 +1,7 @@
 /** 6 Collision response. */
 import { Scene, type Raycaster } from "three";
 import { ChoiceControl, NumberControl, panel, type Control } from "../controls";
-import { C, Refused, vec, type Vec } from "../core";
+import { C, Refused } from "../core";
 import { el } from "../dom";
 import { evidence } from "../evidence";
 import { movesByItself, onTheme } from "../look";
@@ -13,7 +13,8 @@ import { ConeShape } from "../shapes/mark";
 import { ShadowShape } from "../shapes/shadow";
 import { GhostShape, StoneShape } from "../shapes/stone";
 import { Transport } from "../transport";
-import { all, gravity, horizon, meet, rubs, ways, type Answer, type Met, type Way } from "./impact/answers";
+import { mm, scaled } from "../vector";
+import { all, horizon, meet, rubs, ways, type Answer, type Met, type Way } from "./impact/answers";
 import { ImpulseSpace } from "./impact/space";
 
 const lasting = 0.4; // [s], real, for which the impulses are seen while it plays
@@ -146,7 +147,7 @@ export const impact: Section = {
     function show(time: number, stopped: boolean): void {
       if (!met) return;
       const since = time - met.since, at = since > -1e-9 && since < (stopped ? 1e-9 : lasting / transport.speed);
-      const where = (answer: Answer) => goishi.freeFlight(met!.stone, since <= 0 ? met!.state : answer.state, gravity, C.BOTH, since <= 0 ? since : Math.min(since, answer.until));
+      const where = (answer: Answer) => goishi.freeFlight(met!.stone, since <= 0 ? met!.state : answer.state, met!.gravity, C.BOTH, since <= 0 ? since : Math.min(since, answer.until));
       shape.place(where(met.answers[way.value]));
       shadow.follow(shape);
       const lengths = Math.max(...all.filter((one) => one === way.value || rubs(one)).map((one) => Math.hypot(...met!.answers[one].impulse)));
@@ -156,10 +157,10 @@ export const impact: Section = {
         if (ghost.visible) ghost.place(where(met.answers[one]));
         const shown = at && lengths > 0 && (one === way.value || rubs(one)); // the others are on the normal
         const scale = shown ? 26 / lengths : 0;
-        arrows.get(one)!.point(vec(met.point as unknown as Float64Array, 0).map((x) => 1e3 * x) as unknown as Vec, impulse.map((x) => scale * x) as unknown as Vec);
+        arrows.get(one)!.point(mm(met.point), scaled(scale, impulse));
       }
       cone.visible = at && c.friction.value > 0;
-      if (cone.visible) cone.at(met.point.map((x) => 1e3 * x) as unknown as Vec, c.friction.value, 24);
+      if (cone.visible) cone.at(mm(met.point), c.friction.value, 24);
       moment.set(since, Math.abs(since) < 5e-8 ? "at the impact" : `${fixed(1e3 * Math.abs(since), 2)} ms ${since < 0 ? "before" : "after"}`);
       if (stopped) figure.label = `A Go stone and the board, ${moment.element.textContent}: ${what.element.textContent}, ${rebound.element.textContent}, ${kept.element.textContent}.`;
       figure.invalidate();

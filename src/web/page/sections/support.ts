@@ -1,7 +1,7 @@
 /** 5 Support and separating axis. */
 import { Scene } from "three";
 import { ChoiceControl, NumberControl, panel, type Control } from "../controls";
-import { C, Refused } from "../core";
+import { C, Refused, vec } from "../core";
 import { el } from "../dom";
 import { evidence } from "../evidence";
 import { movesByItself, onTheme } from "../look";
@@ -58,7 +58,7 @@ export const support: Section = {
     const bevel = number("bevel", "bevel", "mm", 0, 4, 0.1, 1);
 
     const bag: Bag = {
-      goishi, figure, transport, board, panel: own, wide, stone: () => stone, attitude: () => leaning(tilt.value, heading.value), tilt, heading,
+      goishi, figure, transport, board, half: wood.half, gravity: vec(goishi.settings(), C.GRAVITY), panel: own, wide, stone: () => stone, attitude: () => leaning(tilt.value, heading.value), tilt, heading,
       shape, other, shadow, right, talks, normal, here, there, between, changed,
       clear() {
         for (const one of [right, talks, normal, between, here, there, other]) one.visible = false;

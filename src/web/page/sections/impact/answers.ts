@@ -1,8 +1,8 @@
 /** One impact, and what five ways to answer it make of it. All numbers are the library's. */
 import { C, vec, type Goishi, type Numbers, type Vec } from "../../core";
 import type { Token } from "../../look";
+import { scaled } from "../../vector";
 
-export const gravity: Vec = [0, 0, -9.80665];
 export const plane = Float64Array.from([0, 0, 1, 0]); // the board's surface
 const up: Vec = [0, 0, 1];
 
@@ -45,6 +45,7 @@ export interface Answer {
 
 export interface Met {
   stone: Numbers;
+  gravity: Vec;
   state: Numbers;   // at the impact, before it
   point: Vec;       // [m]
   before: Vec;      // [m/s] of the point of contact
@@ -60,6 +61,7 @@ export interface Met {
 export const horizon = 0.06;
 
 export function meet(goishi: Goishi, { bevel, tilt, down, along, tumble, spin, restitution, friction }: Meeting): Met {
+  const gravity = vec(goishi.settings(), C.GRAVITY);
   const stone = goishi.catalogueStone(33, C.WHITE, 1e-3 * bevel), half = (tilt * Math.PI) / 360;
   const pose = (z: number) => Float64Array.from([0, 0, z, Math.cos(half), 0, Math.sin(half), 0]);
   const place = pose(1 - goishi.separation(stone, pose(1), plane)[C.GAP]!);
@@ -96,7 +98,7 @@ export function meet(goishi: Goishi, { bevel, tilt, down, along, tumble, spin, r
 
   // W by its columns: a plastic impact along each direction, of a stone that comes straight along it.
   const column = (n: Vec): Vec => {
-    const found = goishi.impact(stone, goishi.state(stone, place, n.map((x) => -x) as unknown as Vec, [0, 0, 0]), C.CHATTERJEE_RUINA, 0, 0, point, n);
+    const found = goishi.impact(stone, goishi.state(stone, place, scaled(-1, n), [0, 0, 0]), C.CHATTERJEE_RUINA, 0, 0, point, n);
     return [0, 1, 2].map((k) => (found[C.VELOCITY_AFTER + k]! - found[C.VELOCITY_BEFORE + k]!) / found[C.NORMAL_IMPULSE]!) as unknown as Vec;
   };
   const back = state.slice();
@@ -105,7 +107,7 @@ export function meet(goishi: Goishi, { bevel, tilt, down, along, tumble, spin, r
     back[C.MOMENTUM + k]! *= -1;
   }
   return {
-    stone, state, point, before, ...parts(state), since: before[2] < 0 ? touchesAfter(back) : 0,
+    stone, gravity, state, point, before, ...parts(state), since: before[2] < 0 ? touchesAfter(back) : 0,
     holding: vec(goishi.impact(stone, state, C.CHATTERJEE_RUINA, 0, Infinity, point, up), C.IMPULSE),
     mobility: [column([1, 0, 0]), column([0, 1, 0]), column([0, 0, 1])],
     answers: Object.fromEntries(all.map((way) => [way, answer(way)])) as Record<Way, Answer>,

@@ -4,6 +4,7 @@ import type { Vec } from "../../core";
 import { el } from "../../dom";
 import type { Token } from "../../look";
 import { digits } from "../../numbers";
+import { cross, dot, scaled } from "../../vector";
 
 export interface Spot {
   at: Vec; // [N s], z along the normal
@@ -51,7 +52,7 @@ export class ImpulseSpace {
     const { spots, friction, holding, mobility } = this.#space;
     const [a, h] = [this.#azimuth, this.#elevation];
     const right: Vec = [-Math.sin(a), Math.cos(a), 0], upward: Vec = [-Math.cos(a) * Math.sin(h), -Math.sin(a) * Math.sin(h), Math.cos(h)];
-    const flat = (p: Vec): Flat => [inner(p, right), inner(p, upward)];
+    const flat = (p: Vec): Flat => [dot(p, right), dot(p, upward)];
     const seen = [...spots.map((one) => flat(one.at)), flat(holding), [0, 0] as Flat];
     const most = (of: (one: Flat) => number) => Math.max(1e-12, ...seen.map(of));
     const scale = Math.min((height - floor - 34) / most(([, y]) => y), (width / 2 - 50) / most(([x]) => Math.abs(x)));
@@ -66,8 +67,8 @@ export class ImpulseSpace {
     const reach = b < c ? wide * Math.sqrt(1 - (b / c) ** 2) : 0, level = b < c ? c - (b * b) / c : 0;
     const sides: Flat[] = [[-reach, level], [0, 0], [reach, level]];
     // The shell p · v + p · W p/2 = 0: its outline is an ellipse about the impulse that holds; none of a point that leaves.
-    const inverse = inverseOf(mobility), size = inner(holding, times(mobility, holding));
-    const [xx, xy, yy] = [inner(right, times(inverse, right)), inner(right, times(inverse, upward)), inner(upward, times(inverse, upward))];
+    const inverse = inverseOf(mobility), size = dot(holding, times(mobility, holding));
+    const [xx, xy, yy] = [dot(right, times(inverse, right)), dot(right, times(inverse, upward)), dot(upward, times(inverse, upward))];
     const l = Math.sqrt(size * xx), m = (size * xy) / l, n = Math.sqrt(Math.max(0, size * yy - m * m));
     const [x0, y0] = flat(holding);
     const shell = size === 0 ? "" : path(around.map(([cos, sin]) => [x0 + l * cos, y0 + m * cos + n * sin]), true);
@@ -121,13 +122,11 @@ export class ImpulseSpace {
 }
 
 const around = Array.from({ length: 72 }, (_, i) => [Math.cos((i * Math.PI) / 36), Math.sin((i * Math.PI) / 36)] as const);
-const inner = (a: Vec, b: Vec): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const times = (columns: readonly [Vec, Vec, Vec], p: Vec): Vec =>
   [0, 1, 2].map((k) => columns[0][k as 0] * p[0] + columns[1][k as 0] * p[1] + columns[2][k as 0] * p[2]) as unknown as Vec;
-const cross = (a: Vec, b: Vec): Vec => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 
 /** Of a symmetric matrix, by columns. */
 function inverseOf([a, b, c]: readonly [Vec, Vec, Vec]): readonly [Vec, Vec, Vec] {
-  const bc = cross(b, c), ca = cross(c, a), ab = cross(a, b), det = inner(a, bc);
-  return [bc, ca, ab].map((one) => one.map((x) => x / det) as unknown as Vec) as unknown as readonly [Vec, Vec, Vec];
+  const bc = cross(b, c), ca = cross(c, a), ab = cross(a, b), det = dot(a, bc);
+  return [bc, ca, ab].map((one) => scaled(1 / det, one)) as unknown as readonly [Vec, Vec, Vec];
 }

@@ -38,6 +38,9 @@ export interface Bag {
   figure: Figure;
   transport: Transport;
   board: Numbers;
+  /** Half of its surface   [mm]. */
+  half: { readonly x: number; readonly y: number };
+  gravity: Vec;
   /** Where its controls stand, and what is wide. */
   panel: HTMLElement;
   wide: HTMLElement;
@@ -69,13 +72,6 @@ export function caption(bag: Bag, side: "left" | "right", great: Shown, small: r
   bag.figure.overlay.append(element);
   return element;
 }
-
-/** [mm] of [m]. */
-export const mm = (point: Vec | Numbers): Vec => [1e3 * point[0]!, 1e3 * point[1]!, 1e3 * point[2]!];
-export const plus = (a: Vec, s: number, b: Vec): Vec => [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]];
-export const dot = (a: Vec, b: Vec): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-
-export const unit = (a: Vec): Vec => plus([0, 0, 0], 1 / Math.hypot(...a), a);
 
 /** The axis of a stone leans by `tilt` towards `heading`, both in degrees. */
 export function leaning(tilt: number, heading: number): readonly [number, number, number, number] {

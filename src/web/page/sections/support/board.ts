@@ -6,7 +6,8 @@ import { el } from "../../dom";
 import { onTheme } from "../../look";
 import { fixed, Shown } from "../../numbers";
 import { ArrowShape } from "../../shapes/arrow";
-import { caption, carry, dot, mm, plus, unit, within, type Bag, type Picture } from "./bag";
+import { dot, mm, plus, scaled, unit } from "../../vector";
+import { caption, carry, within, type Bag, type Picture } from "./bag";
 
 const names = ["primary", "left side", "right side", "bottom side", "top side", "bottom-left corner", "bottom-right corner",
   "top-left corner", "top-right corner", "out of reach"];
@@ -15,9 +16,7 @@ const grid = [C.TOP_LEFT, C.TOP, C.TOP_RIGHT, C.LEFT, C.PRIMARY, C.RIGHT, C.BOTT
 const long = 9; // [mm] of an arrow
 
 export function atBoard(bag: Bag): Picture {
-  const { goishi, figure, shape, board } = bag;
-  const half = (spacing: number, border: number) => 1e3 * (board[spacing]! * (board[C.BOARD_LINES]! - 1) / 2 + board[border]!);
-  const halfX = half(C.BOARD_SPACING_X, C.BOARD_BORDER_X), halfY = half(C.BOARD_SPACING_Y, C.BOARD_BORDER_Y);
+  const { goishi, figure, shape, board, half } = bag;
 
   /** Where to put a stone to see a region: near its edge or corner, and not touching. */
   const outward = (region: number): readonly [number, number] => {
@@ -28,7 +27,7 @@ export function atBoard(bag: Bag): Picture {
     const [x, y] = outward(region), n = unit([0.41 * x, 0.41 * y, x !== 0 && y !== 0 ? 0.97 : 1]);
     const m = goishi.measures(bag.stone()), [w, i, j, k] = bag.attitude();
     const u = unit([2 * (i * k + w * j), 2 * (j * k - w * i), w * w - i * i - j * j + k * k]), up = u[2] < 0 ? -1 : 1;
-    const sphere = plus([x * halfX, y * halfY, 0], 1e3 * m[C.SPHERE_RADIUS]! + 1.1, n); // of the lower cap, so far from the edge
+    const sphere = plus([x * half.x, y * half.y, 0], 1e3 * m[C.SPHERE_RADIUS]! + 1.1, n); // of the lower cap, so far from the edge
     return plus(sphere, -1e3 * up * m[C.SPHERE_OFFSET]!, u).map((value) => Number(value.toFixed(1))) as unknown as Vec;
   };
 
@@ -96,12 +95,12 @@ export function atBoard(bag: Bag): Picture {
     bag.there.at(mm(vec(found, C.OTHER_POINT)));
     bag.between.through([...mm(vec(found, C.POINT)), ...mm(vec(found, C.OTHER_POINT))]);
     const origin = mm(vec(found, C.OTHER_POINT));
-    bag.normal.point(origin, plus([0, 0, 0], long + 5, n));
+    bag.normal.point(origin, scaled(long + 5, n));
     arrows.forEach((arrow, i) => {
       const one = C.FIRST_AXIS + i * C.AXIS_SIZE;
-      arrow.point(origin, i < talk[C.AXES]! ? plus([0, 0, 0], long, vec(talk, one)) : [0, 0, 0]);
+      arrow.point(origin, i < talk[C.AXES]! ? scaled(long, vec(talk, one)) : [0, 0, 0]);
     });
-    chosen.point(origin, colliding ? plus([0, 0, 0], long + 3, axis) : [0, 0, 0]);
+    chosen.point(origin, colliding ? scaled(long + 3, axis) : [0, 0, 0]);
     bag.talks.visible = colliding;
     if (colliding) bag.talks.place(moved(here, axis, depth));
     bag.right.visible = distance < 0;

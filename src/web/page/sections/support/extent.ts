@@ -9,7 +9,8 @@ import { Plot } from "../../plot";
 import { PlateShape } from "../../shapes/mark";
 import { TrailShape } from "../../shapes/trail";
 import type { Mark } from "../../transport";
-import { caption, mm, plus, within, type Bag, type Picture } from "./bag";
+import { mm, plus, scaled } from "../../vector";
+import { caption, within, type Bag, type Picture } from "./bag";
 
 const period = 8, samples = 480; // [s]
 const spin: Vec = [2.6, 0.7, 1.1]; // [rad/s], in B
@@ -74,8 +75,8 @@ export function extent(bag: Bag): Picture {
       const upper = end(motion, 1), lower = end(motion, -1);
       const side: Vec = [axis[2], 0, -axis[0]], foot: Vec = [22 * side[0], 0, 22 * side[2]];
       const along = (s: number): Vec => plus(foot, s, axis);
-      plates[0].at(mm(plus([0, 0, 0], upper.reach, axis)), axis);
-      plates[1].at(mm(plus([0, 0, 0], -lower.reach, axis)), axis);
+      plates[0].at(mm(scaled(upper.reach, axis)), axis);
+      plates[1].at(mm(scaled(-lower.reach, axis)), axis);
       stretch(rail, along(0), 28);
       stretch(bar, along(500 * (upper.reach - lower.reach)), 1e3 * (upper.reach + lower.reach));
       bag.here.at(mm(upper.point));

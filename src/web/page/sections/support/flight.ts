@@ -1,19 +1,19 @@
 /** When does it touch? The slider of time ends there. */
 import type { Raycaster } from "three";
 import { ChoiceControl, NumberControl } from "../../controls";
-import { C, vec, type Numbers, type Vec } from "../../core";
+import { C, vec, type Numbers } from "../../core";
 import { el } from "../../dom";
 import { digits, fixed, Shown } from "../../numbers";
 import { Plot } from "../../plot";
-import { caption, carry, mm, plus, within, type Bag, type Picture } from "./bag";
+import { mm, scaled } from "../../vector";
+import { caption, carry, within, type Bag, type Picture } from "./bag";
 
-const gravity: Vec = [0, 0, -9.80665];
 const horizon = 0.15; // [s], on until then if nothing touches
 const samples = 300;
-const edge = 212.1, aside = 42, apart = 76; // [mm]: half the board; where it starts, outside; from one stone to the other
+const aside = 42, apart = 76; // [mm]: where it starts, outside of the board; from one stone to the other
 
 export function inFlight(bag: Bag): Picture {
-  const { goishi, figure, transport, shape, other, board } = bag;
+  const { goishi, figure, transport, shape, other, board, gravity } = bag, edge = bag.half.x;
   const black = goishi.catalogueStone(33, C.BLACK, 1e-3);
   const number = (key: string, label: string, unit: string, least: number, greatest: number, step: number, value: number) =>
     new NumberControl(bag.panel, { key, label, unit, least, greatest, step, value }, bag.changed);
@@ -81,7 +81,7 @@ export function inFlight(bag: Bag): Picture {
       if (last) {
         const n = vec(found, C.NORMAL), point = mm(vec(found, C.OTHER_POINT));
         bag.here.at(mm(vec(found, C.POINT)));
-        bag.normal.point(point, plus([0, 0, 0], 12, n));
+        bag.normal.point(point, scaled(12, n));
       }
       bag.here.visible = bag.normal.visible = last;
       gap.set(distance, Math.abs(distance) < 1e-7 ? `gap ${digits(1e3 * distance, 2)} mm` : `gap ${fixed(1e3 * distance, 3)} mm`);

@@ -3,7 +3,8 @@ import type { Raycaster } from "three";
 import { NumberControl } from "../../controls";
 import { C, vec, type Vec } from "../../core";
 import { fixed, Shown } from "../../numbers";
-import { caption, carry, mm, plus, within, type Bag, type Picture } from "./bag";
+import { mm, plus, scaled } from "../../vector";
+import { caption, carry, within, type Bag, type Picture } from "./bag";
 
 const reach = 30; // [mm]
 
@@ -29,7 +30,7 @@ export function pair(bag: Bag): Picture {
     bag.here.at(mm(mine));
     bag.there.at(mm(its));
     bag.between.through([...mm(mine), ...mm(its)]);
-    bag.normal.point(mm(its), plus([0, 0, 0], 12, n));
+    bag.normal.point(mm(its), scaled(12, n));
     bag.right.visible = distance < 0;
     if (distance < 0) {
       const out = here.slice();
