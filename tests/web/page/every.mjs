@@ -3,7 +3,7 @@
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
-import { expect, fingerprint, framesIn, numbersAndGraphs, pixels, settle, shown } from "./harness.mjs";
+import { alike, expect, fingerprint, framesIn, numbersAndGraphs, pixels, settle, shown } from "./harness.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
@@ -85,11 +85,12 @@ export async function every(id, browser, cases, report) {
           one.dispatchEvent(new Event("input"));
         }, share);
         await settle(page);
-        return Buffer.concat(await Promise.all((await page.locator(`${inside} .picture:visible`).all()).map((one) => one.screenshot())));
+        return Promise.all((await page.locator(`${inside} .picture:visible`).all()).map((one) => one.screenshot()));
       };
       const first = await at(0.03), second = await at(0.4);
-      expect(!first.equals(second), "it stays as it is");
-      expect(first.equals(await at(0.03)), "on the way back it is another one");
+      const same = async (others) => (await Promise.all(others.map((other, i) => alike(page, first[i], other)))).every(Boolean);
+      expect(!(await same(second)), "it stays as it is");
+      expect(await same(await at(0.03)), "on the way back it is another one");
     }
     await page.context().close();
   });
@@ -200,7 +201,7 @@ export async function every(id, browser, cases, report) {
     await settle(page);
     const after = await picture.screenshot();
     browser.said.splice(said, Infinity, ...browser.said.slice(said).filter((text) => !/context|CONTEXT_LOST/i.test(text))); // three tells of it
-    expect(before.equals(after), "it does not look as before");
+    expect(await alike(page, before, after), "it does not look as before");
     await page.context().close();
   });
 

@@ -129,6 +129,27 @@ export async function fingerprint(page, id) {
   return hash.digest("hex");
 }
 
+/** Whether two screenshots are the same but for the compositor's rounding, which is now and then one of 255 in a gradient. */
+export async function alike(page, one, other) {
+  const helper = await page.context().newPage();
+  try {
+    return await helper.evaluate(async (both) => {
+      const [a, b] = await Promise.all(both.map(async (data) => {
+        const image = new Image();
+        image.src = `data:image/png;base64,${data}`;
+        await image.decode();
+        const canvas = Object.assign(document.createElement("canvas"), { width: image.width, height: image.height });
+        const context = canvas.getContext("2d", { willReadFrequently: true });
+        context.drawImage(image, 0, 0);
+        return context.getImageData(0, 0, canvas.width, canvas.height);
+      }));
+      return a.width === b.width && a.height === b.height && a.data.every((value, i) => Math.abs(value - b.data[i]) <= 1);
+    }, [one, other].map((bytes) => bytes.toString("base64")));
+  } finally {
+    await helper.close();
+  }
+}
+
 /** What a picture holds: how many colours, and how much of it is not like its edge. */
 export async function pixels(page, locator) {
   const bytes = (await locator.screenshot()).toString("base64");
