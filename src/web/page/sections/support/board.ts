@@ -70,7 +70,7 @@ export function atBoard(bag: Bag): Picture {
   function look(region: number): void {
     const [x, y] = outward(region), [px, py] = spot(region);
     const flat = x === 0 && y === 0;
-    figure.frame({ target: [px - 3 * x, py - 3 * y, 3], azimuth: flat ? -1.2 : Math.atan2(y, x) - 1.3, elevation: flat ? 0.2 : 0.22, distance: 76 });
+    figure.frame({ target: [px - 3 * x, py - 3 * y, 6.5], azimuth: flat ? -1.2 : Math.atan2(y, x) - 1.3, elevation: flat ? 0.2 : 0.22, distance: 76 });
   }
 
   let region: number = C.RIGHT;
@@ -106,9 +106,9 @@ export function atBoard(bag: Bag): Picture {
     bag.right.visible = distance < 0;
     if (distance < 0) bag.right.place(moved(here, n, -distance));
 
-    verdict.set(talk[C.COLLIDING]!, colliding ? "the talk: they collide" : "the talk: they are apart");
+    verdict.set(talk[C.COLLIDING]!, colliding ? "the talk: collision" : "the talk: apart");
     where.set(region, away ? "out of reach of the board" : `region: ${names[region]!}, ${talk[C.AXES] === 1 ? "1 axis" : `${talk[C.AXES]!} axes`}`);
-    pushes.set(colliding ? depth : NaN, colliding ? `and pushes the stone out by ${fixed(1e3 * depth, 3)} mm` : "");
+    pushes.set(colliding ? depth : NaN, colliding ? `pushed out by ${fixed(1e3 * depth, 3)} mm` : "");
     const wrong = colliding ? (distance > 0 ? distance : depth + distance) : NaN;
     lie.set(wrong, !colliding ? "" : distance > 0 ? `a gap of ${fixed(1e3 * wrong, 3)} mm is denied` : `${fixed(1e3 * wrong, 3)} mm more than it is deep`);
     gap.set(distance, distance < 0 ? `${fixed(-1e3 * distance, 3)} mm deep` : `gap ${fixed(1e3 * distance, 3)} mm`);
@@ -135,7 +135,7 @@ export function atBoard(bag: Bag): Picture {
     look() {
       const now = goishi.publishedSeparation(bag.stone(), pose(), board)[C.REGION]!;
       look(now === C.OUT_OF_REACH ? C.RIGHT : now);
-      if (now === C.OUT_OF_REACH || now === C.PRIMARY) figure.frame({ target: [place[0].value, place[1].value, 3] });
+      if (now === C.OUT_OF_REACH || now === C.PRIMARY) figure.frame({ target: [place[0].value, place[1].value, 6.5] });
     },
     update,
     grip(caster: Raycaster) {
