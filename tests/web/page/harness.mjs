@@ -129,51 +129,44 @@ export async function fingerprint(page, id) {
   return hash.digest("hex");
 }
 
-/** Whether two screenshots are the same but for the compositor's rounding, which is now and then one of 255 in a gradient. */
-export async function alike(page, one, other) {
+/** What `see` says of the pixels (red, green, blue, alpha …) of pictures, as PNG; in a page of its own, so it sees nothing else. */
+async function look(page, pictures, see) {
   const helper = await page.context().newPage();
   try {
-    return await helper.evaluate(async (both) => {
-      const [a, b] = await Promise.all(both.map(async (data) => {
+    return await helper.evaluate(async ([all, text]) => {
+      const decoded = [];
+      for (const data of all) {
         const image = new Image();
         image.src = `data:image/png;base64,${data}`;
         await image.decode();
         const canvas = Object.assign(document.createElement("canvas"), { width: image.width, height: image.height });
         const context = canvas.getContext("2d", { willReadFrequently: true });
         context.drawImage(image, 0, 0);
-        return context.getImageData(0, 0, canvas.width, canvas.height);
-      }));
-      return a.width === b.width && a.height === b.height && a.data.every((value, i) => Math.abs(value - b.data[i]) <= 1);
-    }, [one, other].map((bytes) => bytes.toString("base64")));
+        decoded.push(context.getImageData(0, 0, canvas.width, canvas.height).data);
+      }
+      return new Function(`return (${text})`)()(...decoded);
+    }, [pictures.map((picture) => picture.toString("base64")), String(see)]);
   } finally {
     await helper.close();
   }
 }
 
 /** What a picture holds: how many colours, and how much of it is not like its edge. */
-export async function pixels(page, locator) {
-  const bytes = (await locator.screenshot()).toString("base64");
-  const helper = await page.context().newPage();
-  try {
-    return await helper.evaluate(async (data) => {
-      const image = new Image();
-      image.src = `data:image/png;base64,${data}`;
-      await image.decode();
-      const canvas = Object.assign(document.createElement("canvas"), { width: image.width, height: image.height });
-      const context = canvas.getContext("2d", { willReadFrequently: true });
-      context.drawImage(image, 0, 0);
-      const { data: all } = context.getImageData(0, 0, canvas.width, canvas.height);
-      const colors = new Map();
-      for (let i = 0; i < all.length; i += 4) {
-        const color = ((all[i] >> 3) << 10) | ((all[i + 1] >> 3) << 5) | (all[i + 2] >> 3);
-        colors.set(color, (colors.get(color) ?? 0) + 1);
-      }
-      return { colors: colors.size, commonest: Math.max(...colors.values()) / (all.length / 4) };
-    }, bytes);
-  } finally {
-    await helper.close();
+export const pixels = async (page, locator) => look(page, [await locator.screenshot()], (all) => {
+  const colors = new Map();
+  for (let i = 0; i < all.length; i += 4) {
+    const color = ((all[i] >> 3) << 10) | ((all[i + 1] >> 3) << 5) | (all[i + 2] >> 3);
+    colors.set(color, (colors.get(color) ?? 0) + 1);
   }
-}
+  return { colors: colors.size, commonest: Math.max(...colors.values()) / (all.length / 4) };
+});
+
+/** In how many pixels two pictures of one size differ clearly. */
+export const difference = (page, one, other) => look(page, [one, other], (a, b) => {
+  let count = 0;
+  for (let i = 0; i < a.length; i += 4) count += Math.abs(a[i] - b[i]) + Math.abs(a[i + 1] - b[i + 1]) + Math.abs(a[i + 2] - b[i + 2]) > 60;
+  return count;
+});
 
 /** Runs cases, and tells which fail. */
 export class Cases {
