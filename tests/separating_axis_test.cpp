@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <goishi/contact/stone_board.hpp>
 #include <goishi/published/separating_axis.hpp>
 #include <numbers>
@@ -23,6 +24,26 @@ TEST(PublishedTest, HasTheAxesOfEachRegion) {
   }
   const Vec3<double> corner = detail::published_axes<double>(Region::bottom_right).axes[6];
   expect_near(corner, Vec3<double>(Vec3<double>(1.0, -1.0, 1.0) / std::numbers::sqrt3), 1e-15);
+}
+
+/// The list has the depth along each axis: those that the test goes through, and chooses the least and the most of.
+TEST(PublishedTest, ListsItsAxes) {
+  const Pose<double> corner = lying<double>(52.5L, -62.25L, 0.5L);
+  const auto axes = published_axes(sharp(), corner, board());
+  ASSERT_EQ(axes.size(), 7U);
+  const auto less = [](const auto& a, const auto& b) { return a.depth < b.depth; };
+  const auto [least, most] = std::minmax_element(axes.begin(), axes.end(), less);
+  const auto chosen = separating_axis_published(sharp(), corner, board());
+  EXPECT_TRUE(chosen.colliding);
+  EXPECT_EQ(chosen.axis_W, least->axis_W);
+  EXPECT_EQ(chosen.depth, least->depth);
+  EXPECT_EQ(separating_axis_published(sharp(), corner, board(), PushOut::most_penetration).depth, most->depth);
+  EXPECT_EQ(axes[0].axis_W, Vec3<double>(0.0, 0.0, 1.0));
+  EXPECT_NEAR(axes[0].depth, 1.5, 1e-13);
+  const auto over = published_axes(sharp(), lying<double>(1, 2, 2.5L), board());
+  ASSERT_EQ(over.size(), 1U);
+  EXPECT_EQ(over[0].depth, -0.5);
+  EXPECT_TRUE(published_axes(sharp(), lying<double>(1, 2, 4.5L), board()).empty());
 }
 
 TEST(PublishedTest, IsRightOverTheSurface) {

@@ -49,6 +49,17 @@ struct Body {
   return state;
 }
 
+[[nodiscard]] inline Board<double> read_board(const char* name, const double* pointer, std::size_t size) {
+  const auto a = read<GOISHI_BOARD_SIZE>(name, pointer, size);
+  return make_board(BoardDimensions<double>{.lines = whole("lines", a[GOISHI_BOARD_LINES], 1, most_whole),
+                                            .spacing_x = a[GOISHI_BOARD_SPACING_X],
+                                            .spacing_y = a[GOISHI_BOARD_SPACING_Y],
+                                            .border_x = a[GOISHI_BOARD_BORDER_X],
+                                            .border_y = a[GOISHI_BOARD_BORDER_Y],
+                                            .thickness = a[GOISHI_BOARD_THICKNESS],
+                                            .legs = a[GOISHI_BOARD_LEGS]});
+}
+
 using Obstacle = std::variant<Plane<double>, Board<double>>;
 
 [[nodiscard]] inline Obstacle read_ground(const double* pointer, std::size_t size) {
@@ -59,14 +70,7 @@ using Obstacle = std::variant<Plane<double>, Board<double>>;
     return Plane<double>{{a[0], a[1], a[2]}, a[3]};
   }
   require(size == of_board, "ground_size", size, "must be ", of_plane, " of a plane, or ", of_board, " of a board");
-  const auto a = read<GOISHI_BOARD_SIZE>("ground", pointer, size);
-  return make_board(BoardDimensions<double>{.lines = whole("lines", a[GOISHI_BOARD_LINES], 1, most_whole),
-                                            .spacing_x = a[GOISHI_BOARD_SPACING_X],
-                                            .spacing_y = a[GOISHI_BOARD_SPACING_Y],
-                                            .border_x = a[GOISHI_BOARD_BORDER_X],
-                                            .border_y = a[GOISHI_BOARD_BORDER_Y],
-                                            .thickness = a[GOISHI_BOARD_THICKNESS],
-                                            .legs = a[GOISHI_BOARD_LEGS]});
+  return read_board("ground", pointer, size);
 }
 
 inline void put_motion(Row row, const State<double>& state, const RigidBody<double>& body, const Vec& gravity) {

@@ -5,6 +5,8 @@
 #include <goishi/drop/phases/next_impact.hpp>
 #include <goishi/impact/laws.hpp>
 #include <goishi/motion/free_flight.hpp>
+#include <goishi/published/separating_axis.hpp>
+#include <limits>
 #include <variant>
 #include <vector>
 
@@ -21,6 +23,11 @@ static_assert(is(OtherFeature::surface, GOISHI_ON_SURFACE) && is(OtherFeature::s
               is(OtherFeature::top_edge, GOISHI_ON_TOP_EDGE) &&
               is(OtherFeature::vertical_edge, GOISHI_ON_VERTICAL_EDGE) && is(OtherFeature::corner, GOISHI_ON_CORNER) &&
               is(OtherFeature::stone, GOISHI_ON_STONE));
+static_assert(is(Region::primary, GOISHI_PRIMARY) && is(Region::left, GOISHI_LEFT) && is(Region::right, GOISHI_RIGHT) &&
+              is(Region::bottom, GOISHI_BOTTOM) && is(Region::top, GOISHI_TOP) &&
+              is(Region::bottom_left, GOISHI_BOTTOM_LEFT) && is(Region::bottom_right, GOISHI_BOTTOM_RIGHT) &&
+              is(Region::top_left, GOISHI_TOP_LEFT) && is(Region::top_right, GOISHI_TOP_RIGHT) &&
+              is(Region::out_of_reach, GOISHI_OUT_OF_REACH));
 static_assert(is(ImpactStatus::hit, GOISHI_HIT) && is(ImpactStatus::none, GOISHI_NO_HIT) &&
               is(ImpactStatus::overlapping, GOISHI_HIT_OVERLAPPING) &&
               is(ImpactStatus::not_converged, GOISHI_HIT_NOT_CONVERGED));
@@ -97,6 +104,27 @@ int goishi_separation_stones(const double* stone, size_t stone_size, const doubl
     require_array("separation", separation, separation_size, GOISHI_SEPARATION_SIZE);
     std::vector<double> row;
     Row(row) << goishi::separation(first, there, second, other_there);
+    write(row, separation);
+  });
+}
+
+int goishi_published_separation(const double* stone, size_t stone_size, const double* pose, size_t pose_size,
+                                const double* board, size_t board_size, double* separation, size_t separation_size) {
+  return guarded([&] {
+    const Stone<double> shape = read_stone("stone", stone, stone_size).stone;
+    const Pose<double> there = read_pose("pose", pose, pose_size);
+    const Board<double> other = read_board("board", board, board_size);
+    require_array("separation", separation, separation_size, GOISHI_PUBLISHED_SEPARATION_SIZE);
+    const auto least = separating_axis_published(shape, there, other, PushOut::least_penetration);
+    const auto most = separating_axis_published(shape, there, other, PushOut::most_penetration);
+    const auto axes = published_axes(shape, there, other);
+    std::vector<double> row;
+    Row(row) << as_number(least.region) << as_number(least.colliding) << least.axis_W << least.depth << most.axis_W
+             << most.depth << static_cast<double>(axes.size());
+    for (const PublishedAxis<double>& one : axes) {
+      Row(row) << one.axis_W << one.depth;
+    }
+    row.resize(GOISHI_PUBLISHED_SEPARATION_SIZE, std::numeric_limits<double>::quiet_NaN());
     write(row, separation);
   });
 }

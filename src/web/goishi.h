@@ -310,6 +310,40 @@ GOISHI_API int goishi_separation_stones(const double* stone, size_t stone_size, 
                                         const double* other, size_t other_size, const double* other_pose,
                                         size_t other_pose_size, double* separation, size_t separation_size);
 
+/// The talk's nine regions, and beyond: where a stone's centre is, seen from above.
+enum {
+  GOISHI_PRIMARY = 0,
+  GOISHI_LEFT = 1,
+  GOISHI_RIGHT = 2,
+  GOISHI_BOTTOM = 3,
+  GOISHI_TOP = 4,
+  GOISHI_BOTTOM_LEFT = 5,
+  GOISHI_BOTTOM_RIGHT = 6,
+  GOISHI_TOP_LEFT = 7,
+  GOISHI_TOP_RIGHT = 8,
+  GOISHI_OUT_OF_REACH = 9
+};
+
+/// What the talk's separating-axis test answers, to compare with. An axis has GOISHI_AXIS_SIZE numbers: a unit vector in W, out
+/// of the board, and the depth [m] of the stone along it, < 0 if it separates.
+enum {
+  GOISHI_AXIS_DEPTH = 3,
+  GOISHI_AXIS_SIZE = 4,
+  GOISHI_REGION = 0,      ///< GOISHI_PRIMARY …
+  GOISHI_COLLIDING = 1,   ///< 1: no axis separates
+  GOISHI_LEAST_AXIS = 2,  ///< of least penetration; not colliding: the first that separates; NaN out of reach
+  GOISHI_MOST_AXIS = 6,   ///< of most penetration; likewise
+  GOISHI_AXES = 10,       ///< that the region has
+  GOISHI_FIRST_AXIS =
+      11,  ///< and the others behind it, in the published order; there is room for 7, NaN where there is none
+  GOISHI_PUBLISHED_SEPARATION_SIZE = 39
+};
+
+/// Calls  separating_axis_published, published_axes.   Sizes  GOISHI_POSE_SIZE, GOISHI_BOARD_SIZE, GOISHI_PUBLISHED_SEPARATION_SIZE.
+GOISHI_API int goishi_published_separation(const double* stone, size_t stone_size, const double* pose, size_t pose_size,
+                                           const double* board, size_t board_size, double* separation,
+                                           size_t separation_size);
+
 enum { GOISHI_HIT = 0, GOISHI_NO_HIT = 1, GOISHI_HIT_OVERLAPPING = 2, GOISHI_HIT_NOT_CONVERGED = 3 };
 
 /// When a flying stone first touches.

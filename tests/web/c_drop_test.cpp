@@ -9,6 +9,9 @@
 #include <goishi/contact/time_of_impact.hpp>
 #include <goishi/drop/holds.hpp>
 #include <goishi/impact/laws.hpp>
+#include <goishi/published/separating_axis.hpp>
+#include <limits>
+#include <set>
 #include <vector>
 
 #include "compiled/drop.hpp"
@@ -53,6 +56,39 @@ TEST(CInterface, Separation) {
                                          AS_ARRAY(other_pose), AS_ARRAY(got)));
     expect_same(got, expected << separation(scene.shape, scene.pose(), other.shape, other.pose()), "stone");
   }
+}
+
+TEST(CInterface, PublishedSeparation) {
+  Scenes scenes;
+  const Board<double> board = make_board<double>();
+  int colliding = 0;
+  std::set<double> regions;
+  for (int i = 0; i < 400; ++i) {
+    Scene scene = scenes.next();
+    const double x = scenes.between(-0.222, 0.222), y = scenes.between(-0.237, 0.237), z = scenes.between(-0.01, 0.02);
+    const bool at_side = i % 3 != 0, at_top = i % 2 == 0;
+    scene.start.p_WB = {at_side ? std::copysign(0.212, x) : x, at_top ? std::copysign(0.227, y) : y, z};
+    std::copy_n(scene.start.p_WB.data(), 3, scene.state.begin());
+    const List pose = scene.pose_list();
+    List got(GOISHI_PUBLISHED_SEPARATION_SIZE), expected;
+    EXPECT_DONE(
+        goishi_published_separation(AS_ARRAY(scene.stone), AS_ARRAY(pose), AS_ARRAY(board_list), AS_ARRAY(got)));
+    const auto least = separating_axis_published(scene.shape, scene.pose(), board);
+    const auto most = separating_axis_published(scene.shape, scene.pose(), board, PushOut::most_penetration);
+    const auto axes = published_axes(scene.shape, scene.pose(), board);
+    expected << static_cast<double>(least.region) << static_cast<double>(least.colliding) << least.axis_W << least.depth
+             << most.axis_W << most.depth << static_cast<double>(axes.size());
+    for (const auto& one : axes) {
+      expected << one.axis_W << one.depth;
+    }
+    expected.resize(GOISHI_PUBLISHED_SEPARATION_SIZE, std::numeric_limits<double>::quiet_NaN());
+    expect_same(got, expected, "published");
+    colliding += got[GOISHI_COLLIDING] == 1.0 ? 1 : 0;
+    regions.insert(got[GOISHI_REGION]);
+  }
+  EXPECT_LT(50, colliding);
+  EXPECT_LT(colliding, 350);
+  EXPECT_EQ(regions.size(), 10U);
 }
 
 List hit(const TimeOfImpact<double>& found) {

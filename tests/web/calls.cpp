@@ -3,6 +3,7 @@
 #include <climits>
 #include <cstdlib>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace goishi::web_test {
@@ -44,6 +45,16 @@ int as_int(long long value) {
   return static_cast<int>(value);
 }
 
+/// Runs a function that has arrays of numbers and nothing else.
+template <auto function, std::size_t... i>
+int with(const Views& a, std::index_sequence<i...> /*places*/) {
+  return std::apply(function, std::tuple_cat(std::make_tuple(a[i].numbers(), a[i].size)...));
+}
+template <auto function, std::size_t count>
+int arrays_only(const Views& a, const Wholes& /*none*/, const Scalars& /*none*/) {
+  return with<function>(a, std::make_index_sequence<count>());
+}
+
 std::vector<Call> shape_calls() {
   const Array fineness = in("fineness", {2.0, 3.0, 4.0}, Kind::ints);
   const Whole method{"method", GOISHI_SUBDIVISION, {-1, 2, INT_MAX, INT_MIN}};
@@ -60,23 +71,17 @@ std::vector<Call> shape_calls() {
        {in("stone", stone), out("measures", GOISHI_MEASURES_SIZE)},
        {},
        {},
-       [](const Views& a, const Wholes&, const Scalars&) {
-         return goishi_measures(a[0].numbers(), a[0].size, a[1].numbers(), a[1].size);
-       }},
+       arrays_only<goishi_measures, 2>},
       {"goishi_published_measures",
        {in("stone", stone), out("published", GOISHI_PUBLISHED_MEASURES_SIZE)},
        {},
        {},
-       [](const Views& a, const Wholes&, const Scalars&) {
-         return goishi_published_measures(a[0].numbers(), a[0].size, a[1].numbers(), a[1].size);
-       }},
+       arrays_only<goishi_published_measures, 2>},
       {"goishi_tensor",
        {in("stone", stone), in("pose", pose), out("tensor", 9)},
        {},
        {},
-       [](const Views& a, const Wholes&, const Scalars&) {
-         return goishi_tensor(a[0].numbers(), a[0].size, a[1].numbers(), a[1].size, a[2].numbers(), a[2].size);
-       }},
+       arrays_only<goishi_tensor, 3>},
       {"goishi_profile",
        {in("stone", stone), out("rows", std::size_t{3 * 5 * GOISHI_PROFILE_SIZE}, true)},
        {{"steps", 4, {0, 3, 5, 6, LLONG_MAX, -1}}},
@@ -134,10 +139,7 @@ std::vector<Call> motion_calls() {
         out("state", GOISHI_STATE_SIZE)},
        {},
        {},
-       [](const Views& a, const Wholes&, const Scalars&) {
-         return goishi_state(a[0].numbers(), a[0].size, a[1].numbers(), a[1].size, a[2].numbers(), a[2].size,
-                             a[3].numbers(), a[3].size, a[4].numbers(), a[4].size);
-       }},
+       arrays_only<goishi_state, 5>},
       {"goishi_free_flight",
        {in("stone", stone), in("state", state), in("gravity", gravity), out("motion", GOISHI_MOTION_SIZE)},
        {freedom},
@@ -179,10 +181,7 @@ std::vector<Call> contact_calls() {
          {in("stone", stone), in("pose", pose), in("ground", ground), out("separation", GOISHI_SEPARATION_SIZE)},
          {},
          {},
-         [](const Views& a, const Wholes&, const Scalars&) {
-           return goishi_separation(a[0].numbers(), a[0].size, a[1].numbers(), a[1].size, a[2].numbers(), a[2].size,
-                                    a[3].numbers(), a[3].size);
-         }});
+         arrays_only<goishi_separation, 4>});
     result.push_back({"goishi_time_of_impact",
                       {in("stone", stone), in("state", state), in("gravity", gravity), in("ground", ground),
                        out("hit", GOISHI_HIT_SIZE)},
@@ -198,10 +197,7 @@ std::vector<Call> contact_calls() {
                        out("hold", GOISHI_HOLD_SIZE)},
                       {},
                       {},
-                      [](const Views& a, const Wholes&, const Scalars&) {
-                        return goishi_holds(a[0].numbers(), a[0].size, a[1].numbers(), a[1].size, a[2].numbers(),
-                                            a[2].size, a[3].numbers(), a[3].size, a[4].numbers(), a[4].size);
-                      }});
+                      arrays_only<goishi_holds, 5>});
     result.push_back(
         {"goishi_drop_create",
          {in("stone", stone), in("state", state), in("ground", ground), in("settings", settings()), new_drop},
@@ -215,20 +211,19 @@ std::vector<Call> contact_calls() {
   const Whole law{"law", GOISHI_CHATTERJEE_RUINA, {-1, 3, INT_MAX, INT_MIN}};
   const Scalar restitution{"restitution", 0.5, {-1e-300, 1.0000000000000002, infinity, nan}};
   const Scalar friction{"friction", 0.3, {-1e-300, -infinity, nan}};
+  result.push_back({"goishi_board", {out("board", GOISHI_BOARD_SIZE)}, {}, {}, arrays_only<goishi_board, 1>});
   result.push_back(
-      {"goishi_board", {out("board", GOISHI_BOARD_SIZE)}, {}, {}, [](const Views& a, const Wholes&, const Scalars&) {
-         return goishi_board(a[0].numbers(), a[0].size);
-       }});
+      {"goishi_published_separation",
+       {in("stone", stone), in("pose", pose), in("board", board), out("separation", GOISHI_PUBLISHED_SEPARATION_SIZE)},
+       {},
+       {},
+       arrays_only<goishi_published_separation, 4>});
   result.push_back({"goishi_separation_stones",
                     {in("stone", stone), in("pose", pose), in("other", stone), in("other_pose", other_pose),
                      out("separation", GOISHI_SEPARATION_SIZE)},
                     {},
                     {},
-                    [](const Views& a, const Wholes&, const Scalars&) {
-                      return goishi_separation_stones(a[0].numbers(), a[0].size, a[1].numbers(), a[1].size,
-                                                      a[2].numbers(), a[2].size, a[3].numbers(), a[3].size,
-                                                      a[4].numbers(), a[4].size);
-                    }});
+                    arrays_only<goishi_separation_stones, 5>});
   result.push_back({"goishi_time_of_impact_stones",
                     {in("stone", stone), in("state", state), in("other", stone), in("other_state", other_state),
                      in("gravity", gravity), out("hit", GOISHI_HIT_SIZE)},
@@ -265,11 +260,7 @@ std::vector<Call> contact_calls() {
 
 std::vector<Call> drop_calls() {
   return {
-      {"goishi_settings",
-       {out("settings", GOISHI_SETTINGS_SIZE)},
-       {},
-       {},
-       [](const Views& a, const Wholes&, const Scalars&) { return goishi_settings(a[0].numbers(), a[0].size); }},
+      {"goishi_settings", {out("settings", GOISHI_SETTINGS_SIZE)}, {}, {}, arrays_only<goishi_settings, 1>},
       {"goishi_drop_copy",
        {the_drop, out("copy", 1, false, Kind::new_drop)},
        {},

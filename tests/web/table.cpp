@@ -138,8 +138,9 @@ int main() {
   for (int i = 0; i < 150; ++i) {
     const List stone = samples.stone(), other = samples.stone(), state = samples.state(), other_state = samples.state();
     const List pose = pose_of(state), other_pose = pose_of(other_state);
-    List separation(GOISHI_SEPARATION_SIZE);
-    const std::vector<Group> all = {{0, GOISHI_SEPARATION_SIZE, 0.0}};
+    List separation(GOISHI_SEPARATION_SIZE), talk(GOISHI_PUBLISHED_SEPARATION_SIZE);
+    const std::vector<Group> all = {{0, GOISHI_SEPARATION_SIZE, 0.0}},
+                             of_talk = {{0, GOISHI_PUBLISHED_SEPARATION_SIZE, 0.0}};
     List at_edge = pose;
     at_edge[0] += 0.21;
     at_edge[2] -= 0.05;
@@ -147,15 +148,13 @@ int main() {
     Case("goishi_separation").in(stone).in(pose).in(plane).out(separation.size()).gives(status, separation, {}, all);
     status = goishi_separation(AS_ARRAY(stone), AS_ARRAY(at_edge), AS_ARRAY(board), AS_ARRAY(separation));
     Case("goishi_separation").in(stone).in(at_edge).in(board).out(separation.size()).gives(status, separation, {}, all);
+    status = goishi_published_separation(AS_ARRAY(stone), AS_ARRAY(at_edge), AS_ARRAY(board), AS_ARRAY(talk));
+    Case published("goishi_published_separation");
+    published.in(stone).in(at_edge).in(board).out(talk.size()).gives(status, talk, {}, of_talk);
     status = goishi_separation_stones(AS_ARRAY(stone), AS_ARRAY(pose), AS_ARRAY(other), AS_ARRAY(other_pose),
                                       AS_ARRAY(separation));
-    Case("goishi_separation_stones")
-        .in(stone)
-        .in(pose)
-        .in(other)
-        .in(other_pose)
-        .out(separation.size())
-        .gives(status, separation, {}, all);
+    Case stones("goishi_separation_stones");
+    stones.in(stone).in(pose).in(other).in(other_pose).out(separation.size()).gives(status, separation, {}, all);
   }
   for (int i = 0; i < 144; ++i) {
     const List stone = samples.stone(), state = samples.state();

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <goishi/board/board.hpp>
 #include <goishi/contact/contact.hpp>
+#include <vector>
 
 namespace goishi {
 
@@ -61,6 +62,21 @@ template <Ordered T>
   return result;
 }
 
+/// How deep a stone is in the board along an axis   [m]; < 0: the axis separates them.
+template <Ordered T>
+[[nodiscard]] T published_depth(const Stone<T>& stone, const Placed<T>& placed, const Board<T>& board,
+                                const Vec3<T>& axis) {
+  const Vec3<T> size = axis.cwiseAbs();
+  const T reach = size.x() * board.half_width + size.y() * board.half_length;
+  const T support = support_value(stone, see<T>(placed.u_W, axis).direction);
+  return reach - (axis.dot(placed.p_W) - support);
+}
+
+template <Ordered T>
+[[nodiscard]] Region published_region(const Stone<T>& stone, const Pose<T>& pose, const Board<T>& board) {
+  return region_of(board, pose.p_WB, T(outer_width(stone) / T(2)));
+}
+
 }  // namespace detail
 
 /// The separating-axis test of the talk. A stone and the board collide if none of the region's fixed axes separates
@@ -84,7 +100,7 @@ template <Ordered T>
     detail::require_direction(preferred, "preferred");
   }
   PublishedSeparation<T> result;
-  result.region = region_of(board, pose.p_WB, T(outer_width(stone) / T(2)));
+  result.region = detail::published_region(stone, pose, board);
   if (result.region == Region::out_of_reach) {
     return result;
   }
@@ -92,10 +108,7 @@ template <Ordered T>
   T best(0);
   for (std::size_t i = 0; i < tested.count; ++i) {
     const Vec3<T>& axis = tested.axes[i];
-    const Vec3<T> size = axis.cwiseAbs();
-    const T reach = size.x() * board.half_width + size.y() * board.half_length;
-    const T support = detail::support_value(stone, detail::see<T>(placed.u_W, axis).direction);
-    const T depth = reach - (axis.dot(placed.p_W) - support);
+    const T depth = detail::published_depth(stone, placed, board, axis);
     if (depth < T(0)) {
       result.colliding = false;
       result.axis_W = axis;
@@ -112,6 +125,32 @@ template <Ordered T>
       result.depth = depth;
     }
     result.colliding = true;
+  }
+  return result;
+}
+
+/// An axis of the published test.
+template <class T>
+struct PublishedAxis {
+  Vec3<T> axis_W = Vec3<T>::Constant(scalar::unset<T>());  // unit, out of the board
+  T depth = scalar::unset<T>();                            // of the stone along it [m]; < 0: it separates
+};
+
+/// All axes that the published test has where the stone is, in its order; out of reach none.
+/// Domain  as above.
+template <Ordered T>
+[[nodiscard]] std::vector<PublishedAxis<T>> published_axes(const Stone<T>& stone, const Pose<T>& pose,
+                                                           const Board<T>& board) {
+  const detail::Placed<T> placed = detail::place(stone, pose);
+  const Region region = detail::published_region(stone, pose, board);
+  std::vector<PublishedAxis<T>> result;
+  if (region == Region::out_of_reach) {
+    return result;
+  }
+  const detail::PublishedAxes<T> tested = detail::published_axes<T>(region);
+  for (std::size_t i = 0; i < tested.count; ++i) {
+    const Vec3<T>& axis = tested.axes[i];
+    result.push_back({axis, detail::published_depth(stone, placed, board, axis)});
   }
   return result;
 }

@@ -182,7 +182,7 @@ export interface Choice<V extends string> {
   token?: Token;
 }
 
-/** One of several, as pills. */
+/** One of several, as pills; `quiet`: its label is only read aloud. */
 export class ChoiceControl<V extends string> implements Control {
   readonly key: string;
   readonly element: HTMLElement;

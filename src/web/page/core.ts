@@ -175,6 +175,10 @@ export class Goishi {
     return this.#numbers("separation", stone, pose, ground, doubles(C.SEPARATION_SIZE));
   }
 
+  publishedSeparation(stone: Numbers, pose: Numbers, board: Numbers): Numbers {
+    return this.#numbers("published_separation", stone, pose, board, doubles(C.PUBLISHED_SEPARATION_SIZE));
+  }
+
   separationStones(stone: Numbers, pose: Numbers, other: Numbers, otherPose: Numbers): Numbers {
     return this.#numbers("separation_stones", stone, pose, other, otherPose, doubles(C.SEPARATION_SIZE));
   }

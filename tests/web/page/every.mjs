@@ -58,7 +58,7 @@ export async function every(id, browser, cases, report) {
       if (!changed) await changes(await slider.getAttribute("aria-label"), () => press("Home"), () => press("End"));
       await field.fill(good);
     }
-    for (const group of await page.locator(`${inside} fieldset.pills:not(.speeds)`).all()) {
+    for (const group of await page.locator(`${inside} fieldset.pills:not(.speeds):visible`).all()) {
       const pick = (value) => group.locator(`input[value="${value}"]`).check({ force: true });
       const chosen = () => group.evaluate((one) => one.querySelector("input:checked")?.value ?? null);
       for (const value of await group.evaluate((one) => [...one.querySelectorAll("input:not(:checked)")].map((input) => input.value))) {
