@@ -13,6 +13,7 @@
 #include <cmath>
 #include <concepts>
 #include <goishi/scalar/arctangent.hpp>
+#include <goishi/scalar/double_double.hpp>
 #include <goishi/scalar/sincos.hpp>
 #include <limits>
 #include <numbers>
@@ -42,8 +43,8 @@ concept HasElementaryFunctions = requires(const T& x) {
 
 /// Whose sine and cosine are ours: the same bits everywhere. Symbols, balls and 50 digits keep their own.
 template <class T>
-concept OwnSine = std::same_as < lane_t<T>,
-float > || std::same_as<lane_t<T>, double>;
+concept OwnSine = (std::is_same_v<lane_t<T>, float>) ||
+                  (std::is_same_v<lane_t<T>, double>) || std::is_same_v<T, DoubleDouble>;
 }  // namespace detail
 
 /// False for SIMD batches under clang with AVX-512: there libstdc++'s `where()` silently does nothing and `sin` is
@@ -151,6 +152,8 @@ template <Elementary T>
     return std::numbers::pi_v<T>;
   } else if constexpr (detail::SimdBatch<T>) {
     return T(std::numbers::pi_v<typename T::value_type>);
+  } else if constexpr (requires { T::pi(); }) {
+    return T::pi();
   } else {
     return scalar::atan2(T(0), T(-1));
   }
@@ -197,16 +200,48 @@ struct Wider<float> {
 };
 template <>
 struct Wider<double> {
-  using type = long double;
+  using type = DoubleDouble;
 };
 }  // namespace detail
 
-/// The type in which an algorithm evaluates a short formula before it rounds once to T: float → double → long double;
-/// every other scalar stays as it is. On x86-64 and 64-bit ARM Linux long double has at least 11 more bits than
-/// double. Where it has none more (MSVC), results are those of the formula in double, and the bounds of SHAPE-1 … 5,
-/// MASS-1 and MASS-2 are not claimed.
+/// The type in which an algorithm evaluates a short formula before it rounds once to T: float → double → two doubles; every
+/// other scalar stays as it is. Never `long double`, which has other digits on every platform.
 template <class T>
 using wider_t = typename detail::Wider<T>::type;
+
+/// x y in a type that may be wider: exactly, in the next wider one.
+template <class Wide, Field T>
+[[nodiscard]] constexpr Wide product(const T& x, const T& y) {
+  if constexpr (std::same_as<T, double> && std::same_as<Wide, DoubleDouble>) {
+    return DoubleDouble::product(x, y);
+  } else {
+    return Wide(Wide(x) * Wide(y));
+  }
+}
+
+/// An n with which fifth powers of x 2^-n are far from the ends of the range of double: 0 for 2^-100 <= x < 2^100, else that of
+/// x. 0 of a scalar that is not built in, the exponents of which have room enough.
+/// Domain  x > 0 and finite.
+template <Field T>
+[[nodiscard]] int far_exponent(const T& x) {
+  if constexpr (std::floating_point<T>) {
+    const int n = detail::exponent_of(static_cast<double>(x));
+    return -100 < n && n <= 100 ? 0 : n;
+  } else {
+    return 0;
+  }
+}
+
+/// x 2^n, rounded once.
+template <Field T>
+[[nodiscard]] T scaled(const T& x, int n) {
+  if constexpr (std::floating_point<T>) {
+    if (n != 0) [[unlikely]] {
+      return static_cast<T>(std::ldexp(static_cast<double>(x), n));
+    }
+  }
+  return x;
+}
 
 namespace detail {
 template <class... Ts>

@@ -165,6 +165,13 @@ template <class V>
   return result;
 }
 
+/// x = m 2^n, 1/2 <= m < 1, of a normal number.
+[[nodiscard]] inline int exponent_of(double x) {
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &x, sizeof bits);
+  return static_cast<int>(bits >> 52 & 0x7ff) - 1022;
+}
+
 /// For any finite x of size 2^18 or more, k being −3 … 4, by Payne and Hanek: x = m 2^e, and of the bits of 2/π only 192 count,
 /// those before give whole turns; the product with m is one of whole numbers. No double is nearer to a multiple of π/2 than
 /// 2^-62 of a quarter turn; here the rest of a quarter turn is right to 2^-128.
@@ -179,7 +186,7 @@ template <class V>
   constexpr std::uint64_t low_word = 0xffffffff;
   std::uint64_t bits = 0;
   std::memcpy(&bits, &x, sizeof bits);
-  const int e = static_cast<int>(bits >> 52 & 0x7ff) - 1075;
+  const int e = exponent_of(x) - 53;
   const std::uint64_t m = (bits & 0xfffffffffffff) | 0x10000000000000;
 
   // The bits e − 1 … e + 190 of 2/π after its point, times m, mod 2^192; the lowest word first.
