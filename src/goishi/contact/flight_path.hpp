@@ -5,6 +5,7 @@
 
 #include <array>
 #include <goishi/contact/stone_plane.hpp>
+#include <goishi/vector.hpp>
 #include <limits>
 #include <string_view>
 
@@ -55,7 +56,7 @@ template <Field T>
 template <Elementary T>
 [[nodiscard]] Vec3<T> axis_at(const FlightPath<T>& path, const T& t) {
   const T angle = path.rate * t;
-  const Vec3<T> along = path.k_W.dot(path.u_W) * path.k_W;
+  const Vec3<T> along = formula::dot(path.k_W, path.u_W) * path.k_W;
   const auto [s, c] = scalar::sincos(angle);
   return along + c * (path.u_W - along) + s * path.k_W.cross(path.u_W);
 }
@@ -365,7 +366,7 @@ void require_path(const Stone<T>& stone, const FlightPath<T>& path) {
 template <Ordered T>
 [[nodiscard]] Placed<T> placed_at(const Stone<T>& stone, const FlightPath<T>& path, const T& t) {
   const Vec3<T> u = formula::axis_at(path, t);
-  return {.stone = stone, .p_W = formula::centre_at(path, t), .u_W = u / u.norm()};
+  return {.stone = stone, .p_W = formula::centre_at(path, t), .u_W = detail::unit(u)};
 }
 
 }  // namespace detail

@@ -8,6 +8,7 @@
 #include <goishi/mass/inertia.hpp>
 #include <goishi/rotation.hpp>
 #include <goishi/scalar.hpp>
+#include <goishi/vector.hpp>
 
 namespace goishi {
 
@@ -26,8 +27,18 @@ template <Field T>
 /// Domain  R_WB a rotation matrix.   Proof  derivations/tensor.cpp.
 template <Field T>
 [[nodiscard]] Mat3<T> rotated_tensor(const Mat3<T>& tensor_B, const Mat3<T>& R_WB) {
-  const Mat3<T> half = R_WB * tensor_B;
-  return half * R_WB.transpose();
+  Mat3<T> half, result;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      half(i, j) = R_WB(i, 0) * tensor_B(0, j) + R_WB(i, 1) * tensor_B(1, j) + R_WB(i, 2) * tensor_B(2, j);
+    }
+  }
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      result(i, j) = half(i, 0) * R_WB(j, 0) + half(i, 1) * R_WB(j, 1) + half(i, 2) * R_WB(j, 2);
+    }
+  }
+  return result;
 }
 
 /// The tensor about a point P, from the tensor about the centre of mass C (parallel axes; all vectors in one frame):
@@ -58,7 +69,7 @@ template <Ordered T>
   const Mat3<T> result = formula::shifted_tensor(about_centre, body.mass, p_WB);
   const T most = std::numeric_limits<T>::max() / T(4);
   // No entry of the tensor of a body exceeds its trace.
-  require(p_WB.squaredNorm() < most && result.trace() < most, "position", p_WB.transpose(),
+  require(formula::dot(p_WB, p_WB) < most && result.trace() < most, "position", p_WB.transpose(),
           "must be finite, and its square times the mass, too");
   return result;
 }
@@ -78,7 +89,7 @@ struct PrincipalAxes {
 template <Ordered T>
 [[nodiscard]] const char* broken_inertia_rule(const Vec3<T>& moments,
                                               const T& slack = T(16) * std::numeric_limits<T>::epsilon()) {
-  const T trace = moments.sum();
+  const T trace = moments.x() + moments.y() + moments.z();
   if (!scalar::is_finite(trace)) {
     return "must be finite";
   }
@@ -113,7 +124,8 @@ template <Ordered T>
   require(T(0) < trace && scalar::is_finite(trace), "tensor", trace, "must have a positive, finite trace (shown)");
   // Scaled to trace 1, so that moments of any unit neither overflow nor underflow in the solver.
   const Mat3<T> scaled = tensor / trace;
-  require(scalar::is_finite(T(scaled.sum())), "tensor", trace, "must be finite (its trace is shown)");
+  const bool is_number = (scaled.array() - scaled.array() == T(0)).all();  // no infinity, no NaN
+  require(is_number, "tensor", trace, "must be finite (its trace is shown)");
   const T asymmetry = (scaled - scaled.transpose()).cwiseAbs().maxCoeff();
   require(asymmetry <= T(16) * std::numeric_limits<T>::epsilon(), "tensor", asymmetry,
           "must be symmetric (largest difference shown, in units of the trace)");
@@ -121,7 +133,8 @@ template <Ordered T>
   PrincipalAxes<T> result{.moments = Vec3<T>(solver.eigenvalues() * trace), .R_WP = solver.eigenvectors()};
   const char* broken = broken_inertia_rule(result.moments);
   require(broken == nullptr, "tensor", result.moments.minCoeff(), broken, " (least moment shown)");
-  if (result.R_WP.determinant() < T(0)) {
+  const Vec3<T> x = result.R_WP.col(0), y = result.R_WP.col(1), z = result.R_WP.col(2);
+  if (formula::dot(x, formula::cross(y, z)) < T(0)) {
     result.R_WP.col(0) = -result.R_WP.col(0);
   }
   return result;

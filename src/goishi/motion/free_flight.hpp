@@ -96,7 +96,7 @@ template <Ordered T>
 template <Ordered T>
 void require_counted(const State<T>& state, const T& t) {
   const bool counted = scalar::is_finite(state.p_WB) && scalar::is_finite(state.v_WB);
-  require(T(0) < state.q_WB.squaredNorm() && counted, "time", t,
+  require(T(0) < detail::squared_norm(state.q_WB) && counted, "time", t,
           "must not take the body farther than its arithmetic can count");
 }
 

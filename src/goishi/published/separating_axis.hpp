@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <goishi/board/board.hpp>
 #include <goishi/contact/contact.hpp>
+#include <goishi/vector.hpp>
 
 namespace goishi {
 
@@ -33,7 +34,7 @@ struct PublishedAxes {
   std::array<Vec3<T>, 7> axes;
   std::size_t count = 0;
 
-  void add(const Vec3<T>& axis) { axes[count++] = axis / axis.norm(); }
+  void add(const Vec3<T>& axis) { axes[count++] = detail::unit(axis); }
 };
 
 template <Ordered T>
@@ -95,7 +96,7 @@ template <Ordered T>
     const Vec3<T> size = axis.cwiseAbs();
     const T reach = size.x() * board.half_width + size.y() * board.half_length;
     const T support = detail::support_value(stone, detail::see<T>(placed.u_W, axis).direction);
-    const T depth = reach - (axis.dot(placed.p_W) - support);
+    const T depth = reach - (formula::dot(axis, placed.p_W) - support);
     if (depth < T(0)) {
       result.colliding = false;
       result.axis_W = axis;
@@ -103,7 +104,7 @@ template <Ordered T>
       return result;
     }
     // Of equals the last in the preferred direction, else the first: as published.
-    const T merit = push_out == PushOut::preferred          ? axis.dot(preferred)
+    const T merit = push_out == PushOut::preferred          ? formula::dot(axis, preferred)
                     : push_out == PushOut::most_penetration ? depth
                                                             : T(-depth);
     if (!result.colliding || best < merit || (push_out == PushOut::preferred && !(merit < best))) {
