@@ -10,6 +10,7 @@
 /// fits, evaluates it in the next wider type (`scalar::wider_t`) where that is worth its cost, and rounds once.
 
 #include <array>
+#include <cfloat>
 #include <cmath>
 #include <concepts>
 #include <goishi/scalar/arctangent.hpp>
@@ -21,6 +22,11 @@
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "Goishi: -ffast-math and -ffinite-math-only break NaN checks and well-conditioned formulas; build without them"
+#endif
+
+// Nothing else tells at compile time whether products are fused into sums: GNU and Clang need -ffp-contract=off.
+#if (defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0) || defined(_M_FP_FAST) || defined(_M_FP_CONTRACT)
+#error "Goishi: float and double must be computed in float and double, not fused, for results to be the same everywhere"
 #endif
 
 namespace goishi {
@@ -91,7 +97,7 @@ template <Elementary T>
 }
 
 /// Sine and cosine of one angle   [rad]: as quick as one of them.
-/// Domain  any number; those that are not finite give NaN.   Error  of float, double and batches: <= 0.86 ulp.
+/// Domain  any number; those that are not finite give NaN.   Error  of float, double and batches <= 0.86 ulp (SINE-1, SINE-2).
 template <Elementary T>
 [[nodiscard]] SineCosine<T> sincos(const T& x) {
   if constexpr (detail::OwnSine<T>) {
@@ -133,7 +139,7 @@ template <Elementary T>
 }
 
 /// The angle of (x, y) from the x axis, −π … π   [rad].
-/// Domain  as of `std::atan2`, zeros and infinities too.   Error  of float, double and batches: <= 2 ulp.
+/// Domain  as of `std::atan2`, zeros and infinities too.   Error  of float, double and batches <= 2 ulp (ATAN-1).
 template <Elementary T>
 [[nodiscard]] T atan2(const T& y, const T& x) {
   if constexpr (detail::OwnSine<T>) {

@@ -1,5 +1,5 @@
 /// The hashes as this program's compiler and processor make them, a line for each kind of work: with nothing but the library, so
-/// that any compiler makes it. usage: program [--no-drop]
+/// that any compiler makes it.
 
 #include <cstdio>
 
