@@ -24,7 +24,8 @@
 #error "Goishi: -ffast-math and -ffinite-math-only break NaN checks and well-conditioned formulas; build without them"
 #endif
 
-// Nothing else tells at compile time whether products are fused into sums: GNU and Clang need -ffp-contract=off.
+// Nothing else tells at compile time whether products are fused into sums: GNU and Clang need -ffp-contract=off, and GNU, where
+// the processor can fuse, -fno-tree-slp-vectorize too. The CMake target carries both.
 #if (defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0) || defined(_M_FP_FAST) || defined(_M_FP_CONTRACT)
 #error "Goishi: float and double must be computed in float and double, not fused, for results to be the same everywhere"
 #endif

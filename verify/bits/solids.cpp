@@ -68,10 +68,10 @@ void hash_mass(Hash& hash) {
 
 void hash_mesh(Hash& hash) {
   Random random(3);
-  for (int i = 0; i < 120; ++i) {
+  for (int i = 0; i < 40; ++i) {
     const Stone<double> stone = random.stone<double>();
     const auto mesh =
-        tessellate(stone, i % 2 == 0 ? Tessellation::subdivision : Tessellation::rings, 3 + random.below(3));
+        tessellate(stone, i % 2 == 0 ? Tessellation::subdivision : Tessellation::rings, 2 + random.below(3));
     for (const Vec3<double>& point : mesh.points) {
       add(hash, point);
     }

@@ -100,7 +100,7 @@ void hash_contact(Hash& hash) {
   Random random(7);
   const auto board = make_board<double>();
   const auto board_f = make_board<float>();
-  for (int i = 0; i < 900; ++i) {
+  for (int i = 0; i < 950; ++i) {
     add_contact(hash, random, board);
     add_contact(hash, random, board_f);
   }

@@ -60,7 +60,8 @@ template <Field T, Field Wide = T>
 ///     B = k (10 g² (3P_x² + k²) + 10 g k (2P_x² + k²) + k² (5P_x² + 3k²)) + 60 r₁ r₂³ (r₁ D₁ + 2 r₂ D₂)
 ///
 /// Of the caps ½∫ρ⁴ dz, and ∫ρ²z² dz, integrated in the depth below the joint, where every term is positive; of the band
-/// likewise. The fifth power, all that a ball has, is taken in the scalar Wide, and so are the factors before the brackets.
+/// likewise. Fourth powers are taken in the scalar Wide, and so are the term of fifth degree, all that a ball has, and
+/// the factors before the brackets.
 /// Limits  b -> 0: `lens_moments`.   Error  claim MASS-2.   Proof  derivations/bevel_mass.cpp.
 template <Elementary T, Elementary Wide = T>
 [[nodiscard]] Moments<Wide> bevelled_moments(const Stone<T>& stone, const BevelTerms<T>& terms) {
@@ -71,13 +72,16 @@ template <Elementary T, Elementary Wide = T>
   const ArcIntegrals<T>& arc = terms.arc;
   const T k2 = scalar::sq(k), p2 = scalar::sq(stone.joint_radius), r1_2 = scalar::sq(r1), r2_2 = scalar::sq(r2);
 
+  const auto fourth = [](const T& x) { return Wide(scalar::sq(scalar::product<Wide>(x, x))); };
+  const Wide wide_r2_2 = scalar::product<Wide>(r2, r2);
+
   const T torus = T(4) * (r1_2 * arc.c2 + r2_2 * arc.c4) + T(2) * arc.three_c3 * r1 * r2;
-  const T axial_rest = T(5) * (scalar::sq(p2) + (p2 + k2 * (T(1) / T(5))) * k2 / T(2)) * k +
-                       T(15) * (scalar::sq(r1_2) * g + r2_2 * torus * r1);
+  const T axial_rest = T(5) * (T(fourth(stone.joint_radius)) + (p2 + k2 * (T(1) / T(5))) * k2 / T(2)) * k +
+                       T(15) * (T(fourth(r1)) * g + T(wide_r2_2 * r1) * torus);
   const T caps = (T(10) * ((T(3) * p2 + k2) * g + (T(2) * p2 + k2) * k) * g + k2 * (T(5) * p2 + T(3) * k2)) * k;
   const T across_rest = caps + T(60) * r1 * r2_2 * r2 * (r1 * arc.d1 + T(2) * arc.d2 * r2);
 
-  const Wide r2_4 = scalar::sq(scalar::product<Wide>(r2, r2));
+  const Wide r2_4 = scalar::sq(wide_r2_2);
   const Wide axial = r2_4 * T(r2 * arc.fifteen_c5) + axial_rest;
   const Wide across = r2_4 * T(T(4) * r2 * arc.fifteen_d3) + across_rest;
   return {.axial = Wide(scalar::pi<Wide>() / Wide(15) * axial),
@@ -186,7 +190,8 @@ template <Ordered T>
 template <Ordered T>
 [[nodiscard]] MassProperties<T> checked(const Stone<T>& stone, const MassProperties<T>& body) {
   const T least = std::numeric_limits<T>::min(), most = std::numeric_limits<T>::max();
-  const auto holds = [&](const T& value) { return least <= value && value <= most; };
+  // Rounding towards zero, what overflows is `most`.
+  const auto holds = [&](const T& value) { return least <= value && value < most; };
   const auto both = [&](const Moments<T>& moments) { return holds(moments.axial) && holds(moments.transverse); };
   require(holds(body.volume) && holds(body.surface_area) && holds(body.density) && holds(body.mass) &&
               both(body.moments) && both(body.moments_per_mass),

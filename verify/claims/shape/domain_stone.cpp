@@ -259,7 +259,7 @@ std::vector<Claim> domain_stone_claims() {
                   refusals},
        .mutants = {{"mass/inertia.hpp", "in(unit.moments.axial * rho, 5 * n + m)",
                     "in(unit.moments.axial * rho * T(2), 5 * n + m)"},
-                   {"mass/inertia.hpp", "least <= value && value <= most", "value <= most"}},
+                   {"mass/inertia.hpp", "least <= value && value < most", "value < most"}},
        .measure = measure_masses},
       {.id = "DOMAIN-3",
        .statement = "The inertia tensor is right for bodies of any size and mass, at any distance, for attitudes with "
