@@ -26,17 +26,17 @@ struct Shipped {
     const auto values = formula::bevel_terms(made, torus.joint.value);
     stone.bevel_major_radius = letter("r1", "r_1", made.bevel_major_radius);
     stone.bevel_minor_radius = letter("r2", "r_2", made.bevel_minor_radius);
+    stone.joint_radius = letter("Px", "P_x", made.joint_radius);
     terms = {.cap_height = letter("k", "k", values.cap_height),
-             .joint_square = letter("P2", "P_x^2", values.joint_square),
              .half_band = letter("g", "g", values.half_band),
              .angle = letter("angle", R"(\alpha)", values.angle),
              .arc = {.c2 = letter("C2", "C_2", values.arc.c2),
-                     .c3 = letter("C3", "C_3", values.arc.c3),
+                     .three_c3 = 3 * letter("C3", "C_3", values.arc.three_c3 / 3),
                      .c4 = letter("C4", "C_4", values.arc.c4),
-                     .c5 = letter("C5", "C_5", values.arc.c5),
+                     .fifteen_c5 = 15 * letter("C5", "C_5", values.arc.fifteen_c5 / 15),
                      .d1 = letter("D1", "D_1", values.arc.d1),
                      .d2 = letter("D2", "D_2", values.arc.d2),
-                     .d3 = letter("D3", "D_3", values.arc.d3)}};
+                     .fifteen_d3 = 15 * letter("D3", "D_3", values.arc.fifteen_d3 / 15)}};
   }
 
   ex letter(const std::string& name, const std::string& tex, const ex& value) {
@@ -70,9 +70,13 @@ void arc_integrals(Document& document) {
     ex integrand;
   };
   const std::vector<Row> rows = {
-      {"C_2", arc.c2, pow(c, 2)},         {"C_3", arc.c3, pow(c, 3)}, {"C_4", arc.c4, pow(c, 4)},
-      {"C_5", arc.c5, pow(c, 5)},         {"D_1", arc.d1, s * s * c}, {"D_2", arc.d2, s * s * pow(c, 2)},
-      {"D_3", arc.d3, s * s * pow(c, 3)},
+      {"C_2", arc.c2, pow(c, 2)},
+      {"C_3", arc.three_c3 / 3, pow(c, 3)},
+      {"C_4", arc.c4, pow(c, 4)},
+      {"C_5", arc.fifteen_c5 / 15, pow(c, 5)},
+      {"D_1", arc.d1, s * s * c},
+      {"D_2", arc.d2, s * s * pow(c, 2)},
+      {"D_3", arc.fifteen_d3 / 15, s * s * pow(c, 3)},
   };
   for (const Row& row : rows) {
     const std::string name = row.name;
@@ -92,7 +96,7 @@ void arc_integrals(Document& document) {
 
 void terms(Document& document, const Torus& torus) {
   document.section("What the formulas share");
-  document.text("$k$ is the height of a cap above its joint, $P_x$ the joint's radius, $g$ half the band.");
+  document.text("$k$ is the height of a cap above its joint, $g$ half the band.");
   document.shipped("formula::bevel_terms", "mass/volume.hpp");
   const possymbol h("h");
   const possymbol b("b");
@@ -104,7 +108,6 @@ void terms(Document& document, const Torus& torus) {
   };
   prove("$k$ reaches from the joint to the pole", made.cap_height,
         torus.sphere_radius - torus.offset - torus.minor * torus.joint.sine);
-  prove("$P_x^2$", made.joint_square, pow(torus.joint_radius, 2));
   prove("$g$ reaches from the plane of the rim to the joint", made.half_band, torus.minor * torus.joint.sine);
   prove(R"($\alpha$)", made.angle, torus.joint.value);
 }

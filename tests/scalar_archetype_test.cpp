@@ -36,7 +36,7 @@ static_assert(goishi::Elementary<Batch> && !goishi::Ordered<Batch>);
 
 // The wider type is wider, and stays for others.
 static_assert(std::same_as<goishi::scalar::wider_t<float>, double>);
-static_assert(std::same_as<goishi::scalar::wider_t<double>, long double>);
+static_assert(std::same_as<goishi::scalar::wider_t<double>, goishi::DoubleDouble>);
 static_assert(std::same_as<goishi::scalar::wider_t<Archetype>, Archetype>);
 
 namespace formula = goishi::formula;
@@ -47,7 +47,7 @@ TEST(Archetype, RunsTheRationalFormulas) {
   EXPECT_EQ(formula::sphere_offset(w, h).value(), 13.0 * 31.0 / 36.0);
   EXPECT_EQ(formula::sharp_stone(w, h).joint_radius.value(), 11.0);
   EXPECT_GT(formula::lens_moments_per_mass(w, h).axial.value(), 0.0);
-  EXPECT_GT(formula::arc_integrals(w, h, h).c5.value(), 0.0);
+  EXPECT_GT(formula::arc_integrals(w, h, h).fifteen_c5.value(), 0.0);
 }
 
 TEST(Archetype, RunsTheElementaryFormulas) {

@@ -6,6 +6,26 @@
 #include <goishi/error.hpp>
 #include <goishi/scalar.hpp>
 
+/// What Eigen must know of a number of two doubles.
+template <>
+struct Eigen::NumTraits<goishi::DoubleDouble> : Eigen::GenericNumTraits<goishi::DoubleDouble> {
+  using Real = goishi::DoubleDouble;
+  using NonInteger = Real;
+  using Nested = Real;
+  using Literal = Real;
+  // NOLINTBEGIN(readability-identifier-naming): Eigen's names
+  enum {
+    IsInteger = 0,
+    IsSigned = 1,
+    IsComplex = 0,
+    RequireInitialization = 1,
+    ReadCost = 2,
+    AddCost = 20,
+    MulCost = 25
+  };
+  // NOLINTEND(readability-identifier-naming)
+};
+
 namespace goishi {
 
 template <class T>
@@ -52,10 +72,12 @@ namespace formula {
 /// Error   the rotation is off by <= 2 ε |θ| rad (claim FLIGHT-6).   Proof  derivations/rotation.cpp.
 template <Elementary T>
 [[nodiscard]] Quat<T> rotation_exp(const Vec3<T>& theta) {
-  const T angle = scalar::sqrt(T(theta.dot(theta) + scalar::tiny<T>()));
+  const T angle =
+      scalar::sqrt(T(scalar::sq(theta.x()) + scalar::sq(theta.y()) + scalar::sq(theta.z()) + scalar::tiny<T>()));
   const T half = angle / T(2);
-  const T over = scalar::sin(half) / angle;
-  return Quat<T>(scalar::cos(half), T(over * theta.x()), T(over * theta.y()), T(over * theta.z()));
+  const auto [sine, cosine] = scalar::sincos(half);
+  const T over = sine / angle;
+  return Quat<T>(cosine, T(over * theta.x()), T(over * theta.y()), T(over * theta.z()));
 }
 
 /// The product p q, first q and then p. Component by component: Eigen's own loads as a pair what was just stored one by
@@ -95,14 +117,35 @@ template <Field T>
 
 }  // namespace formula
 
+namespace detail {
+
+/// |q|². Component by component: what Eigen's sums round to depends on its vector instructions.
+template <Field T>
+[[nodiscard]] T squared_norm(const Quat<T>& q) {
+  return scalar::sq(q.w()) + scalar::sq(q.x()) + (scalar::sq(q.y()) + scalar::sq(q.z()));
+}
+
+/// q/|q|; 0 where |q|² overflows, q where it vanishes.
+template <Ordered T>
+[[nodiscard]] Quat<T> normalized(const Quat<T>& q) {
+  const T square = detail::squared_norm(q);
+  if (!(T(0) < square)) {
+    return q;
+  }
+  const T norm = scalar::sqrt(square);
+  return Quat<T>(T(q.w() / norm), T(q.x() / norm), T(q.y() / norm), T(q.z() / norm));
+}
+
+}  // namespace detail
+
 /// Throws InvalidArgument unless |q| = 1 within `unit_tolerance`.
 template <Ordered T>
 void require_unit(const Quat<T>& q_WB) {
-  const T defect = q_WB.squaredNorm() - T(1);
+  const T defect = detail::squared_norm(q_WB) - T(1);
   const T tolerance = unit_tolerance<T>();
   if (!(defect < tolerance && -tolerance < defect)) [[unlikely]] {
-    throw_invalid("attitude", q_WB.norm(), "must be a unit quaternion; |q|² is off by ", defect,
-                  ", more than round-off: normalise it first");
+    throw_invalid("attitude", T(scalar::sqrt(detail::squared_norm(q_WB))), "must be a unit quaternion; |q|² is off by ",
+                  defect, ", more than round-off: normalise it first");
   }
 }
 

@@ -9,14 +9,25 @@
 /// Formulas stand in namespace `goishi::formula`; what stands in `goishi` itself validates, chooses the formula that
 /// fits, evaluates it in the next wider type (`scalar::wider_t`) where that is worth its cost, and rounds once.
 
+#include <array>
+#include <cfloat>
 #include <cmath>
 #include <concepts>
+#include <goishi/scalar/arctangent.hpp>
+#include <goishi/scalar/double_double.hpp>
+#include <goishi/scalar/sincos.hpp>
 #include <limits>
 #include <numbers>
 #include <type_traits>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "Goishi: -ffast-math and -ffinite-math-only break NaN checks and well-conditioned formulas; build without them"
+#endif
+
+// Nothing else tells at compile time whether products are fused into sums: GNU and Clang need -ffp-contract=off, and GNU, where
+// the processor can fuse, -fno-tree-slp-vectorize too. The CMake target carries both.
+#if (defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0) || defined(_M_FP_FAST) || defined(_M_FP_CONTRACT)
+#error "Goishi: float and double must be computed in float and double, not fused, for results to be the same everywhere"
 #endif
 
 namespace goishi {
@@ -37,11 +48,10 @@ concept HasElementaryFunctions = requires(const T& x) {
   T(atan2(x, x));
 };
 
+/// Whose sine and cosine are ours: the same bits everywhere. Symbols, balls and 50 digits keep their own.
 template <class T>
-concept SimdBatch = requires {
-  typename T::abi_type;
-  typename T::mask_type;
-};
+concept OwnSine = (std::is_same_v<lane_t<T>, float>) ||
+                  (std::is_same_v<lane_t<T>, double>) || std::is_same_v<T, DoubleDouble>;
 }  // namespace detail
 
 /// False for SIMD batches under clang with AVX-512: there libstdc++'s `where()` silently does nothing and `sin` is
@@ -87,22 +97,58 @@ template <Elementary T>
   return T(sqrt(x));
 }
 
+/// Sine and cosine of one angle   [rad]: as quick as one of them.
+/// Domain  any number; those that are not finite give NaN.   Error  of float, double and batches <= 0.86 ulp (SINE-1, SINE-2).
+template <Elementary T>
+[[nodiscard]] SineCosine<T> sincos(const T& x) {
+  if constexpr (detail::OwnSine<T>) {
+    return detail::sincos(x);
+  } else {
+    using std::sin, std::cos;
+    return {.sin = T(sin(x)), .cos = T(cos(x))};
+  }
+}
+
+/// Of two angles at once, hardly slower than of one: to the bit what one after the other gives.
+template <Elementary T>
+[[nodiscard]] std::array<SineCosine<T>, 2> sincos(const T& x, const T& y) {
+  if constexpr (std::floating_point<T> && detail::OwnSine<T>) {
+    return detail::sincos(x, y);
+  } else {
+    return {{scalar::sincos(x), scalar::sincos(y)}};
+  }
+}
+
 template <Elementary T>
 [[nodiscard]] T sin(const T& x) {
-  using std::sin;
-  return T(sin(x));
+  if constexpr (detail::OwnSine<T>) {
+    return detail::sincos(x).sin;
+  } else {
+    using std::sin;
+    return T(sin(x));
+  }
 }
 
 template <Elementary T>
 [[nodiscard]] T cos(const T& x) {
-  using std::cos;
-  return T(cos(x));
+  if constexpr (detail::OwnSine<T>) {
+    return detail::sincos(x).cos;
+  } else {
+    using std::cos;
+    return T(cos(x));
+  }
 }
 
+/// The angle of (x, y) from the x axis, −π … π   [rad].
+/// Domain  as of `std::atan2`, zeros and infinities too.   Error  of float, double and batches <= 2 ulp (ATAN-1).
 template <Elementary T>
 [[nodiscard]] T atan2(const T& y, const T& x) {
-  using std::atan2;
-  return T(atan2(y, x));
+  if constexpr (detail::OwnSine<T>) {
+    return detail::own_atan2(y, x);
+  } else {
+    using std::atan2;
+    return T(atan2(y, x));
+  }
 }
 
 /// π in the arithmetic of T: correctly rounded for built-in types, else atan2(0, −1), which is π itself for a symbolic
@@ -111,6 +157,10 @@ template <Elementary T>
 [[nodiscard]] constexpr T pi() {
   if constexpr (std::floating_point<T>) {
     return std::numbers::pi_v<T>;
+  } else if constexpr (detail::SimdBatch<T>) {
+    return T(std::numbers::pi_v<typename T::value_type>);
+  } else if constexpr (requires { T::pi(); }) {
+    return T::pi();
   } else {
     return scalar::atan2(T(0), T(-1));
   }
@@ -157,16 +207,48 @@ struct Wider<float> {
 };
 template <>
 struct Wider<double> {
-  using type = long double;
+  using type = DoubleDouble;
 };
 }  // namespace detail
 
-/// The type in which an algorithm evaluates a short formula before it rounds once to T: float → double → long double;
-/// every other scalar stays as it is. On x86-64 and 64-bit ARM Linux long double has at least 11 more bits than
-/// double. Where it has none more (MSVC), results are those of the formula in double, and the bounds of SHAPE-1 … 5,
-/// MASS-1 and MASS-2 are not claimed.
+/// The type in which an algorithm evaluates a short formula before it rounds once to T: float → double → two doubles; every
+/// other scalar stays as it is. Never `long double`, which has other digits on every platform.
 template <class T>
 using wider_t = typename detail::Wider<T>::type;
+
+/// x y in a type that may be wider: exactly, in the next wider one.
+template <class Wide, Field T>
+[[nodiscard]] constexpr Wide product(const T& x, const T& y) {
+  if constexpr (std::same_as<T, double> && std::same_as<Wide, DoubleDouble>) {
+    return DoubleDouble::product(x, y);
+  } else {
+    return Wide(Wide(x) * Wide(y));
+  }
+}
+
+/// An n with which fifth powers of x 2^-n are far from the ends of the range of double: 0 for 2^-100 <= x < 2^100, else that of
+/// x. 0 of a scalar that is not built in, the exponents of which have room enough.
+/// Domain  x > 0 and finite.
+template <Field T>
+[[nodiscard]] int far_exponent(const T& x) {
+  if constexpr (std::floating_point<T>) {
+    const int n = detail::exponent_of(static_cast<double>(x));
+    return -100 < n && n <= 100 ? 0 : n;
+  } else {
+    return 0;
+  }
+}
+
+/// x 2^n, rounded once.
+template <Field T>
+[[nodiscard]] T scaled(const T& x, int n) {
+  if constexpr (std::floating_point<T>) {
+    if (n != 0) [[unlikely]] {
+      return static_cast<T>(std::ldexp(static_cast<double>(x), n));
+    }
+  }
+  return x;
+}
 
 namespace detail {
 template <class... Ts>

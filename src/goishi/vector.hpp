@@ -51,3 +51,20 @@ template <Field T>
 }
 
 }  // namespace goishi::formula
+
+namespace goishi::detail {
+
+/// |v|, of a square that is a number.
+template <Ordered T>
+[[nodiscard]] T length(const Vec3<T>& v) {
+  return scalar::sqrt(formula::dot(v, v));
+}
+
+/// v/|v|.
+template <Ordered T>
+[[nodiscard]] Vec3<T> unit(const Vec3<T>& v) {
+  const T norm = detail::length(v);
+  return {T(v.x() / norm), T(v.y() / norm), T(v.z() / norm)};
+}
+
+}  // namespace goishi::detail

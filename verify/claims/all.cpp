@@ -8,6 +8,7 @@ namespace goishi::verify {
 std::vector<Claim> all_claims() {
   std::vector<Claim> all;
   const std::pair<const char*, std::vector<Claim> (*)()> subjects[] = {
+      {"claims/scalar/elementary.cpp", elementary_claims},
       {"claims/shape/domain_stone.cpp", domain_stone_claims},
       {"claims/shape/domain_board.cpp", domain_board_claims},
       {"claims/shape/domain_ray.cpp", domain_ray_claims},

@@ -8,6 +8,7 @@
 
 namespace goishi::verify {
 
+[[nodiscard]] std::vector<Claim> elementary_claims();        // SINE, ATAN: our own sine, cosine, arctangent
 [[nodiscard]] std::vector<Claim> accuracy_claims();          // SHAPE, MASS: ulps of float and double
 [[nodiscard]] std::vector<Claim> enclosure_claims();         // ENCLOSURE: balls contain, and are narrow
 [[nodiscard]] std::vector<Claim> enclosure_branch_claims();  // ENCLOSURE: whole functions on balls, choices proved

@@ -12,7 +12,9 @@ namespace goishi::verify {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 23> titles = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 25> titles = {{
+    {"SINE", "Sine and cosine of our own"},
+    {"ATAN", "The arctangent of our own"},
     {"SHAPE", "Shape of lens and bevel"},
     {"MASS", "Volume, area and moments of inertia"},
     {"GSL", "Against numerical integration of the solid"},

@@ -20,7 +20,8 @@ namespace goishi::verify::markdown {
 namespace {
 
 /// By the folders of verify/claims. A folder without a title here stands behind these, by its name.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 9> subjects = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 10> subjects = {{
+    {"scalar", "Elementary functions"},
     {"shape", "Shape: surface, board, rays"},
     {"mass", "Mass: volume, inertia, table"},
     {"mesh", "Meshes: triangles, what they enclose, boxes"},

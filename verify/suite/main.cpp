@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "verify/bench/command.hpp"
+#include "verify/bits/command.hpp"
 #include "verify/certify/command.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/oracles/stone/quadrature.hpp"
@@ -282,9 +283,11 @@ int main(int argc, char** argv) {
   bench::BenchOptions bench_options;
   define(app, options);
   stress::Options stress_options;
+  bits::Options bits_options;
   const CLI::App* const bench_command = bench::define_bench(app, bench_options);
   certify::Options certify_options;
   const CLI::App* const stress_command = stress::define_stress(app, stress_options);
+  const CLI::App* const bits_command = bits::define_bits(app, bits_options);
   const CLI::App* const certify_command = certify::define_certify(app, certify_options);
   reference::Options reference_options;
   const CLI::App* const reference_command = reference::define_reference(app, reference_options);
@@ -292,6 +295,9 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
     if (bench_command->parsed()) {
       return bench::run_bench_command(bench_options) ? all_hold : claim_failed;
+    }
+    if (bits_command->parsed()) {
+      return bits::run_bits_command(bits_options) ? all_hold : claim_failed;
     }
     if (stress_command->parsed()) {
       return stress::run_stress_command(stress_options) ? all_hold : claim_failed;

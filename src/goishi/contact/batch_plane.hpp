@@ -50,7 +50,8 @@ class PlaneBatch {
   void set(std::size_t index, const Stone<T>& stone, const Pose<T>& pose) {
     require(index < count_, "index", index, "must be below the number of stones (", count_, ")");
     const detail::Placed<T> placed = detail::place(stone, pose);
-    require(placed.p_W.cwiseAbs().sum() < most, "position", pose.p_WB.transpose(),
+    const Vec3<T> size = placed.p_W.cwiseAbs();
+    require(size.x() + size.y() + size.z() < most, "position", pose.p_WB.transpose(),
             "must not be so far that a gap is no number");
     Group& group = groups_[index / lanes];
     const std::size_t lane = index % lanes;

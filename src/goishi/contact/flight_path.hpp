@@ -5,6 +5,7 @@
 
 #include <array>
 #include <goishi/contact/stone_plane.hpp>
+#include <goishi/vector.hpp>
 #include <limits>
 #include <string_view>
 
@@ -55,8 +56,9 @@ template <Field T>
 template <Elementary T>
 [[nodiscard]] Vec3<T> axis_at(const FlightPath<T>& path, const T& t) {
   const T angle = path.rate * t;
-  const Vec3<T> along = path.k_W.dot(path.u_W) * path.k_W;
-  return along + scalar::cos(angle) * (path.u_W - along) + scalar::sin(angle) * path.k_W.cross(path.u_W);
+  const Vec3<T> along = formula::dot(path.k_W, path.u_W) * path.k_W;
+  const auto [s, c] = scalar::sincos(angle);
+  return along + c * (path.u_W - along) + s * path.k_W.cross(path.u_W);
 }
 
 /// A = (k · u)(k · n), B = u · n − A, C = (k × u) · n.
@@ -178,7 +180,7 @@ class GapAlong {
     for (int i = 0; i < count_; ++i) {
       const Wobble<T>& part = parts_[static_cast<std::size_t>(i)];
       const T angle = part.rate * t;
-      const T c = scalar::cos(angle), s = scalar::sin(angle);
+      const auto [s, c] = scalar::sincos(angle);
       const T u = formula::wobble_at(part, c, s), u_rate = formula::wobble_rate(part, c, s);
       const Direction<T> n = seen(u);
       const bool cap = meets_cap(*part.stone, n);
@@ -202,7 +204,8 @@ class GapAlong {
     for (int i = 0; i < count_; ++i) {
       const Wobble<T>& part = parts_[static_cast<std::size_t>(i)];
       const T angle = part.rate * t, swing = scalar::sqrt(T(scalar::sq(part.B) + scalar::sq(part.C)));
-      const T now = magnitude_of(formula::wobble_at(part, scalar::cos(angle), scalar::sin(angle)));
+      const auto [sine, cosine] = scalar::sincos(angle);
+      const T now = magnitude_of(formula::wobble_at(part, cosine, sine));
       const T later = now + swing * magnitude_of(part.rate) * s, most = magnitude_of(part.A) + swing;
       const Direction<T> n = seen(later < most ? later : most);
       const T slope =
@@ -363,7 +366,7 @@ void require_path(const Stone<T>& stone, const FlightPath<T>& path) {
 template <Ordered T>
 [[nodiscard]] Placed<T> placed_at(const Stone<T>& stone, const FlightPath<T>& path, const T& t) {
   const Vec3<T> u = formula::axis_at(path, t);
-  return {.stone = stone, .p_W = formula::centre_at(path, t), .u_W = u / u.norm()};
+  return {.stone = stone, .p_W = formula::centre_at(path, t), .u_W = detail::unit(u)};
 }
 
 }  // namespace detail

@@ -6,6 +6,7 @@
 #include <goishi/contact/arc.hpp>
 #include <goishi/contact/arc_search.hpp>
 #include <goishi/contact/contact.hpp>
+#include <goishi/vector.hpp>
 #include <limits>
 
 namespace goishi::detail {
@@ -152,7 +153,7 @@ class Octant {
     for (const T& sign : {T(1), T(-1)}) {
       const Vec3<T> along = formula::plus(p_, T(sign * d), u_);
       if (is_inside(along)) {
-        const Vec3<T> n = along / along.norm();
+        const Vec3<T> n = detail::unit(along);
         // To round-off: at the joint, neither cap nor rim would be met.
         if (-T(64) * std::numeric_limits<T>::epsilon() < sign * formula::dot(u_, n) - stone_.joint_sine) {
           try_normal(n, best);
@@ -161,7 +162,7 @@ class Octant {
     }
     const FromRim<T> rim = corner_from_rim();
     if (T(0) < rim.beyond && is_inside(rim.away)) {
-      try_normal(rim.away / rim.away.norm(), best);
+      try_normal(detail::unit(rim.away), best);
     }
   }
 

@@ -9,6 +9,7 @@
 #include <goishi/contact/stone_board.hpp>
 #include <goishi/contact/stone_plane.hpp>
 #include <goishi/contact/stone_stone.hpp>
+#include <goishi/vector.hpp>
 #include <limits>
 
 namespace goishi {
@@ -169,8 +170,9 @@ template <Ordered T>
       },
       [&](const Separation<T>& contact) {
         const Vec3<T>& n = contact.n_W;
-        detail::GapAlong<T> gap(n.dot(Vec3<T>(path.p_W - other_path.p_W)), n.dot(Vec3<T>(path.v_W - other_path.v_W)),
-                                n.dot(Vec3<T>(path.a_W - other_path.a_W)));
+        detail::GapAlong<T> gap(formula::dot(n, formula::minus(path.p_W, other_path.p_W)),
+                                formula::dot(n, formula::minus(path.v_W, other_path.v_W)),
+                                formula::dot(n, formula::minus(path.a_W, other_path.a_W)));
         gap.add(formula::wobble(stone, path, n));
         gap.add(formula::wobble(other, other_path, n));
         return gap;

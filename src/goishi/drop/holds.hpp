@@ -9,6 +9,7 @@
 #include <goishi/drop/rest/statics.hpp>
 #include <goishi/drop/settings.hpp>
 #include <goishi/drop/state/run.hpp>
+#include <goishi/vector.hpp>
 #include <limits>
 
 namespace goishi {
@@ -88,11 +89,11 @@ class Holding {
     const Vec3<T> down = g_ / strength_;
     const T x = down.x() < T(0) ? T(-down.x()) : down.x();
     const Vec3<T> other = x < T(0.5) ? Vec3<T>(T(1), T(0), T(0)) : Vec3<T>(T(0), T(1), T(0));
-    const Vec3<T> a = formula::cross(down, other).normalized(), b = formula::cross(down, a);
+    const Vec3<T> a = detail::unit(formula::cross(down, other)), b = formula::cross(down, a);
     const auto lean = [&](const T& side, const T& angle) {
-      const T s = scalar::sin(angle);
+      const auto [leaning, towards] = scalar::sincos(angle, side);
       body_.gravity =
-          strength_ * (T(scalar::cos(angle)) * down + T(s * scalar::cos(side)) * a + T(s * scalar::sin(side)) * b);
+          strength_ * (leaning.cos * down + T(leaning.sin * towards.cos) * a + T(leaning.sin * towards.sin) * b);
       const bool held = holds();
       body_.gravity = g_;
       return held;

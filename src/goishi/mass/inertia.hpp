@@ -24,69 +24,68 @@ namespace formula {
 ///
 ///     I_a = (π/30) a (10c⁴ + 5a²c² + a⁴),   I_t = (π/60) a (10c⁴ + 15a²c² + 7a⁴),   a = h/2, c = w/2
 ///
+/// Taken in the scalar Wide.
 /// Domain  0 < h <= w.   Limits  h = w: both π w⁵/60 (ball).   h -> 0: π h w⁴/96 and half of it.
 /// Error   all terms positive; claim MASS-1.   Proof  derivations/lens.cpp.
-template <Elementary T>
-[[nodiscard]] constexpr Moments<T> lens_moments(const T& width, const T& height) {
-  const T half = height / T(2);
-  const T a2 = scalar::sq(half);
-  const T c2 = scalar::sq(T(width / T(2)));
-  const T c4 = scalar::sq(c2);
-  const T unit = scalar::pi<T>() / T(60) * half;
-  return {.axial = T(T(2) * unit * (T(10) * c4 + a2 * (T(5) * c2 + a2))),
-          .transverse = T(unit * (T(10) * c4 + a2 * (T(15) * c2 + T(7) * a2)))};
+template <Elementary T, Elementary Wide = T>
+[[nodiscard]] constexpr Moments<Wide> lens_moments(const T& width, const T& height) {
+  const T a = height / T(2), c = width / T(2);
+  const Wide a2 = scalar::product<Wide>(a, a), c2 = scalar::product<Wide>(c, c);
+  const Wide unit = scalar::pi<Wide>() / Wide(60) * a, leading = scalar::sq(c2) * T(10);
+  return {.axial = Wide(unit * ((leading + a2 * (c2 * T(5) + a2)) * T(2))),
+          .transverse = Wide(unit * (leading + a2 * (c2 * T(15) + a2 * T(7))))};
 }
 
 /// Moments of the sharp lens per unit mass, the squared radii of gyration   [m²].
 ///
 ///     I_a/m = (10c⁴ + 5a²c² + a⁴) / (10 (3c² + a²)),   I_t/m = (10c⁴ + 15a²c² + 7a⁴) / (20 (3c² + a²))
 ///
-/// with a = h/2, c = w/2.
+/// with a = h/2, c = w/2. Taken in the scalar Wide.
 ///
 /// Domain  0 < h <= w.   Limits  h = w: both w²/10 (ball).   h -> 0: w²/12 and w²/24.
 /// Error   all terms positive; claim MASS-1.   Proof  derivations/lens.cpp.
-template <Field T>
-[[nodiscard]] constexpr Moments<T> lens_moments_per_mass(const T& width, const T& height) {
-  const T a2 = scalar::sq(T(height / T(2)));
-  const T c2 = scalar::sq(T(width / T(2)));
-  const T c4 = scalar::sq(c2);
-  const T unit = T(1) / (T(20) * (T(3) * c2 + a2));
-  return {.axial = T(T(2) * unit * (T(10) * c4 + a2 * (T(5) * c2 + a2))),
-          .transverse = T(unit * (T(10) * c4 + a2 * (T(15) * c2 + T(7) * a2)))};
+template <Field T, Field Wide = T>
+[[nodiscard]] constexpr Moments<Wide> lens_moments_per_mass(const T& width, const T& height) {
+  const T a = height / T(2), c = width / T(2);
+  const Wide a2 = scalar::product<Wide>(a, a), c2 = scalar::product<Wide>(c, c);
+  const Wide unit = Wide(1) / ((c2 * T(3) + a2) * T(20)), leading = scalar::sq(c2) * T(10);
+  return {.axial = Wide(unit * ((leading + a2 * (c2 * T(5) + a2)) * T(2))),
+          .transverse = Wide(unit * (leading + a2 * (c2 * T(15) + a2 * T(7))))};
 }
 
 /// Moments of the bevelled stone at density 1   [m⁵].
 ///
-///     I_a = π [ (k/30)(10 P_x⁴ + 5 P_x² k² + k⁴)
-///               + g r₁⁴ + r₂² (4 r₁³ C₂ + 6 r₁² r₂ C₃ + 4 r₁ r₂² C₄ + r₂³ C₅) ]
-///     I_t = I_a/2 + π [ (k/30)(10 g² (3P_x² + k²) + 10 g k (2P_x² + k²) + k² (5P_x² + 3k²))
-///                       + 2 r₂³ (r₁² D₁ + 2 r₁ r₂ D₂ + r₂² D₃) ]
+///     I_a = (π/15) (15 C₅ r₂⁵ + A),   I_t = (π/30) ((15 C₅ + 60 D₃) r₂⁵ + A + B)
+///     A = 5k P_x⁴ + 15g r₁⁴ + (k³/2)(5 P_x² + k²) + 15 r₁ r₂² (4 r₁² C₂ + 6 r₁ r₂ C₃ + 4 r₂² C₄)
+///     B = k (10 g² (3P_x² + k²) + 10 g k (2P_x² + k²) + k² (5P_x² + 3k²)) + 60 r₁ r₂³ (r₁ D₁ + 2 r₂ D₂)
 ///
-/// In each bracket the first term is the caps (½∫ρ⁴ dz, and ∫ρ²z² dz), the second the band; a cap is integrated in the
-/// depth below the joint, where every term is positive.
+/// Of the caps ½∫ρ⁴ dz, and ∫ρ²z² dz, integrated in the depth below the joint, where every term is positive; of the band
+/// likewise. Fourth powers are taken in the scalar Wide, and so are the term of fifth degree, all that a ball has, and
+/// the factors before the brackets.
 /// Limits  b -> 0: `lens_moments`.   Error  claim MASS-2.   Proof  derivations/bevel_mass.cpp.
-template <Elementary T, class S>
-[[nodiscard]] Moments<T> bevelled_moments(const Stone<S>& stone, const BevelTerms<T>& terms) {
-  const S& r1 = stone.bevel_major_radius;
-  const S& r2 = stone.bevel_minor_radius;
+template <Elementary T, Elementary Wide = T>
+[[nodiscard]] Moments<Wide> bevelled_moments(const Stone<T>& stone, const BevelTerms<T>& terms) {
+  const T& r1 = stone.bevel_major_radius;
+  const T& r2 = stone.bevel_minor_radius;
   const T& k = terms.cap_height;
-  const T& p2 = terms.joint_square;
   const T& g = terms.half_band;
   const ArcIntegrals<T>& arc = terms.arc;
-  const T k2 = scalar::sq(k);
-  const T r1_2 = scalar::sq(T(r1));
-  const T r2_2 = scalar::sq(T(r2));
+  const T k2 = scalar::sq(k), p2 = scalar::sq(stone.joint_radius), r1_2 = scalar::sq(r1), r2_2 = scalar::sq(r2);
 
-  const T axial_caps = (T(10) * p2 * (p2 + k2 / T(2)) + scalar::sq(k2)) * k * (T(1) / T(30));
-  const T axial_torus = T(4) * (r1_2 * arc.c2 + r2_2 * arc.c4) * r1 + (T(6) * r1_2 * arc.c3 + r2_2 * arc.c5) * r2;
-  const T axial = axial_caps + (scalar::sq(r1_2) * g + r2_2 * axial_torus);
+  const auto fourth = [](const T& x) { return Wide(scalar::sq(scalar::product<Wide>(x, x))); };
+  const Wide wide_r2_2 = scalar::product<Wide>(r2, r2);
 
-  const T height_caps =
-      (T(10) * ((T(3) * p2 + k2) * g + (T(2) * p2 + k2) * k) * g + k2 * (T(5) * p2 + T(3) * k2)) * k * (T(1) / T(30));
-  const T height_torus = r1_2 * arc.d1 + (T(2) * arc.d2 * r1 + arc.d3 * r2) * r2;
+  const T torus = T(4) * (r1_2 * arc.c2 + r2_2 * arc.c4) + T(2) * arc.three_c3 * r1 * r2;
+  const T axial_rest = T(5) * (T(fourth(stone.joint_radius)) + (p2 + k2 * (T(1) / T(5))) * k2 / T(2)) * k +
+                       T(15) * (T(fourth(r1)) * g + T(wide_r2_2 * r1) * torus);
+  const T caps = (T(10) * ((T(3) * p2 + k2) * g + (T(2) * p2 + k2) * k) * g + k2 * (T(5) * p2 + T(3) * k2)) * k;
+  const T across_rest = caps + T(60) * r1 * r2_2 * r2 * (r1 * arc.d1 + T(2) * arc.d2 * r2);
 
-  return {.axial = T(scalar::pi<T>() * axial),
-          .transverse = T(scalar::pi<T>() * (axial / T(2) + (height_caps + T(2) * r2_2 * height_torus * r2)))};
+  const Wide r2_4 = scalar::sq(wide_r2_2);
+  const Wide axial = r2_4 * T(r2 * arc.fifteen_c5) + axial_rest;
+  const Wide across = r2_4 * T(T(4) * r2 * arc.fifteen_d3) + across_rest;
+  return {.axial = Wide(scalar::pi<Wide>() / Wide(15) * axial),
+          .transverse = Wide(scalar::pi<Wide>() / Wide(30) * (axial + across))};
 }
 
 }  // namespace formula
@@ -124,50 +123,81 @@ struct MassProperties {
 
 namespace detail {
 
-/// Everything at density 1, in the next wider type, to be rounded once. Two things that are only of degree 0 and 2
-/// in the lengths are taken in T, for speed: the joint's angle (atan2) and the area.
-template <Ordered T>
-[[nodiscard]] MassProperties<scalar::wider_t<T>> unit_density_properties(const Stone<T>& stone) {
+/// What the formulas run in: float in double, so that the rest is the same for both.
+template <class T>
+using Computed = std::conditional_t<std::is_same_v<T, float>, double, T>;
+
+/// Everything at density 1 of the stone in units of a length 2^exponent, so that no power of a length leaves the range of
+/// its type.
+template <class T>
+struct UnitBody {
   using Wide = scalar::wider_t<T>;
-  const auto all = [](const Wide& volume, const T& area, const Moments<Wide>& moments, const Moments<Wide>& per_mass) {
-    return MassProperties<Wide>{.volume = volume,
-                                .surface_area = Wide(area),
-                                .density = Wide(1),
-                                .mass = volume,
-                                .moments = moments,
-                                .moments_per_mass = per_mass};
-  };
-  if (!(T(0) < stone.bevel)) {
-    const Wide w(stone.width), h(stone.height);
-    return all(formula::lens_volume(w, h), formula::lens_surface_area(stone.width, stone.height),
-               formula::lens_moments(w, h), formula::lens_moments_per_mass(w, h));
-  }
-  const T angle = scalar::atan2(stone.joint_sine, stone.joint_cosine);
-  const auto terms = formula::bevel_terms(stone, Wide(angle));
-  const Wide volume = formula::bevelled_volume(stone, terms);
-  const Wide per_volume = Wide(1) / volume;
-  const Moments<Wide> moments = formula::bevelled_moments(stone, terms);
-  const T area = formula::bevelled_surface_area(stone, formula::bevel_terms(stone, angle));
-  return all(volume, area, moments, {moments.axial * per_volume, moments.transverse * per_volume});
+  T surface_area;
+  Wide volume;
+  Moments<Wide> moments, moments_per_mass;
+  int exponent;
+};
+
+/// In units of 2^exponent lengths.
+template <Ordered T>
+[[nodiscard]] Stone<T> scaled(const Stone<T>& stone, int exponent) {
+  const auto in = [&](const T& length) { return scalar::scaled(length, -exponent); };
+  return {.width = in(stone.width),
+          .height = in(stone.height),
+          .bevel = in(stone.bevel),
+          .sphere_radius = in(stone.sphere_radius),
+          .sphere_offset = in(stone.sphere_offset),
+          .bevel_major_radius = in(stone.bevel_major_radius),
+          .bevel_minor_radius = in(stone.bevel_minor_radius),
+          .core_sphere_radius = in(stone.core_sphere_radius),
+          .joint_radius = in(stone.joint_radius),
+          .joint_cosine = stone.joint_cosine,
+          .joint_sine = stone.joint_sine};
 }
 
-/// Rounded to T, if that can hold them: a volume is a cube, a moment of fifth degree.
+/// What is of a high degree in lengths is taken in the next wider type.
 template <Ordered T>
-[[nodiscard]] MassProperties<T> rounded(const Stone<T>& stone, const MassProperties<scalar::wider_t<T>>& wide) {
+[[nodiscard]] UnitBody<T> unit_body_of(const Stone<T>& stone, int exponent) {
   using Wide = scalar::wider_t<T>;
-  const Wide least(std::numeric_limits<T>::min()), most(std::numeric_limits<T>::max());
-  const auto holds = [&](const Wide& value) { return least <= value && value <= most; };
-  const auto both = [&](const Moments<Wide>& moments) { return holds(moments.axial) && holds(moments.transverse); };
-  require(holds(wide.volume) && holds(wide.surface_area) && holds(wide.density) && holds(wide.mass) &&
-              both(wide.moments) && both(wide.moments_per_mass),
+  if (!(T(0) < stone.bevel)) {
+    const T &w = stone.width, &h = stone.height;
+    return {formula::lens_surface_area(w, h), formula::lens_volume<T, Wide>(w, h), formula::lens_moments<T, Wide>(w, h),
+            formula::lens_moments_per_mass<T, Wide>(w, h), exponent};
+  }
+  const auto terms = formula::bevel_terms(stone, scalar::atan2(stone.joint_sine, stone.joint_cosine));
+  const T volume = formula::bevelled_volume<T, Wide>(stone, terms);
+  const Moments<Wide> moments = formula::bevelled_moments<T, Wide>(stone, terms);
+  return {formula::bevelled_surface_area(stone, terms),
+          Wide(volume),
+          moments,
+          {Wide(moments.axial / volume), Wide(moments.transverse / volume)},
+          exponent};
+}
+
+/// Lengths are in metres, but for sizes that no stone has.
+template <Ordered T>
+[[nodiscard]] UnitBody<Computed<T>> unit_body(const Stone<T>& stone) {
+  const int exponent = scalar::far_exponent(stone.width);
+  if constexpr (std::is_same_v<T, Computed<T>>) {
+    if (exponent == 0) [[likely]] {
+      return detail::unit_body_of(stone, 0);
+    }
+  }
+  return detail::unit_body_of(stone_cast<Computed<T>>(detail::scaled(stone, exponent)), exponent);
+}
+
+/// If T can hold them: a volume is a cube, a moment of fifth degree.
+template <Ordered T>
+[[nodiscard]] MassProperties<T> checked(const Stone<T>& stone, const MassProperties<T>& body) {
+  const T least = std::numeric_limits<T>::min(), most = std::numeric_limits<T>::max();
+  // Rounding towards zero, what overflows is `most`.
+  const auto holds = [&](const T& value) { return least <= value && value < most; };
+  const auto both = [&](const Moments<T>& moments) { return holds(moments.axial) && holds(moments.transverse); };
+  require(holds(body.volume) && holds(body.surface_area) && holds(body.density) && holds(body.mass) &&
+              both(body.moments) && both(body.moments_per_mass),
           "width", stone.width,
           "must be such that volume, area, density, mass and moments are numbers that its type can hold");
-  return {.volume = T(wide.volume),
-          .surface_area = T(wide.surface_area),
-          .density = T(wide.density),
-          .mass = T(wide.mass),
-          .moments = {T(wide.moments.axial), T(wide.moments.transverse)},
-          .moments_per_mass = {T(wide.moments_per_mass.axial), T(wide.moments_per_mass.transverse)}};
+  return body;
 }
 
 }  // namespace detail
@@ -182,12 +212,19 @@ template <Ordered T>
 template <Ordered T>
 [[nodiscard]] MassProperties<T> mass_properties(const Stone<T>& stone, const Density<T>& density) {
   require_positive("density", density.value);
-  using Wide = scalar::wider_t<T>;
-  MassProperties<Wide> result = detail::unit_density_properties(stone);
-  result.density = Wide(density.value);
-  result.mass = result.density * result.volume;
-  result.moments = {Wide(result.density * result.moments.axial), Wide(result.density * result.moments.transverse)};
-  return detail::rounded(stone, result);
+  using S = detail::Computed<T>;
+  const auto unit = detail::unit_body(stone);
+  const int n = unit.exponent, m = scalar::far_exponent(density.value);
+  const S rho(scalar::scaled(density.value, -m));
+  const auto in = [](const auto& value, int exponent) { return scalar::scaled(T(S(value)), exponent); };
+  return detail::checked<T>(
+      stone,
+      {.volume = in(unit.volume, 3 * n),
+       .surface_area = in(unit.surface_area, 2 * n),
+       .density = density.value,
+       .mass = in(unit.volume * rho, 3 * n + m),
+       .moments = {in(unit.moments.axial * rho, 5 * n + m), in(unit.moments.transverse * rho, 5 * n + m)},
+       .moments_per_mass = {in(unit.moments_per_mass.axial, 2 * n), in(unit.moments_per_mass.transverse, 2 * n)}});
 }
 
 /// The same for a stone of known mass; the density follows.
@@ -195,13 +232,19 @@ template <Ordered T>
 template <Ordered T>
 [[nodiscard]] MassProperties<T> mass_properties(const Stone<T>& stone, const Mass<T>& mass) {
   require_positive("mass", mass.value);
-  using Wide = scalar::wider_t<T>;
-  MassProperties<Wide> result = detail::unit_density_properties(stone);
-  result.mass = Wide(mass.value);
-  result.density = result.mass / result.volume;
-  result.moments = {Wide(result.mass * result.moments_per_mass.axial),
-                    Wide(result.mass * result.moments_per_mass.transverse)};
-  return detail::rounded(stone, result);
+  using S = detail::Computed<T>;
+  const auto unit = detail::unit_body(stone);
+  const int n = unit.exponent, m = scalar::far_exponent(mass.value);
+  const S share(scalar::scaled(mass.value, -m));
+  const auto in = [](const auto& value, int exponent) { return scalar::scaled(T(S(value)), exponent); };
+  return detail::checked<T>(stone, {.volume = in(unit.volume, 3 * n),
+                                    .surface_area = in(unit.surface_area, 2 * n),
+                                    .density = in(share / unit.volume, m - 3 * n),
+                                    .mass = mass.value,
+                                    .moments = {in(unit.moments_per_mass.axial * share, 2 * n + m),
+                                                in(unit.moments_per_mass.transverse * share, 2 * n + m)},
+                                    .moments_per_mass = {in(unit.moments_per_mass.axial, 2 * n),
+                                                         in(unit.moments_per_mass.transverse, 2 * n)}});
 }
 
 }  // namespace goishi

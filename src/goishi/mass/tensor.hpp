@@ -2,12 +2,15 @@
 /// \file
 /// The inertia tensor in its general form, about any point and in any frame; and the way back to principal axes.
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <goishi/error.hpp>
 #include <goishi/mass/inertia.hpp>
 #include <goishi/rotation.hpp>
 #include <goishi/scalar.hpp>
+#include <goishi/vector.hpp>
+#include <utility>
 
 namespace goishi {
 
@@ -26,8 +29,18 @@ template <Field T>
 /// Domain  R_WB a rotation matrix.   Proof  derivations/tensor.cpp.
 template <Field T>
 [[nodiscard]] Mat3<T> rotated_tensor(const Mat3<T>& tensor_B, const Mat3<T>& R_WB) {
-  const Mat3<T> half = R_WB * tensor_B;
-  return half * R_WB.transpose();
+  Mat3<T> half, result;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      half(i, j) = R_WB(i, 0) * tensor_B(0, j) + R_WB(i, 1) * tensor_B(1, j) + R_WB(i, 2) * tensor_B(2, j);
+    }
+  }
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      result(i, j) = half(i, 0) * R_WB(j, 0) + half(i, 1) * R_WB(j, 1) + half(i, 2) * R_WB(j, 2);
+    }
+  }
+  return result;
 }
 
 /// The tensor about a point P, from the tensor about the centre of mass C (parallel axes; all vectors in one frame):
@@ -58,7 +71,7 @@ template <Ordered T>
   const Mat3<T> result = formula::shifted_tensor(about_centre, body.mass, p_WB);
   const T most = std::numeric_limits<T>::max() / T(4);
   // No entry of the tensor of a body exceeds its trace.
-  require(p_WB.squaredNorm() < most && result.trace() < most, "position", p_WB.transpose(),
+  require(formula::dot(p_WB, p_WB) < most && result.trace() < most, "position", p_WB.transpose(),
           "must be finite, and its square times the mass, too");
   return result;
 }
@@ -78,7 +91,7 @@ struct PrincipalAxes {
 template <Ordered T>
 [[nodiscard]] const char* broken_inertia_rule(const Vec3<T>& moments,
                                               const T& slack = T(16) * std::numeric_limits<T>::epsilon()) {
-  const T trace = moments.sum();
+  const T trace = moments.x() + moments.y() + moments.z();
   if (!scalar::is_finite(trace)) {
     return "must be finite";
   }
@@ -101,7 +114,56 @@ void require_physical(const Moments<T>& moments) {
   require(broken == nullptr, "axial", moments.axial, broken, " (transverse ", moments.transverse, ")");
 }
 
-/// Principal axes back from the full tensor, by Eigen's symmetric solver.
+namespace detail {
+
+/// Eigenvalues, ascending, and eigenvectors of a symmetric matrix of trace 1, by Jacobi's rotations: each makes one entry off the
+/// diagonal zero. (Eigen's solver rounds as the processor's vector instructions do.)
+template <Ordered T>
+[[nodiscard]] PrincipalAxes<T> jacobi_axes(Mat3<T> A) {
+  constexpr int most_sweeps = 30;
+  const T nothing = scalar::sq(std::numeric_limits<T>::epsilon());
+  Mat3<T> R = Mat3<T>::Identity();
+  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    if (!(nothing < scalar::sq(A(0, 1)) + scalar::sq(A(0, 2)) + scalar::sq(A(1, 2)))) {
+      break;
+    }
+    for (const auto& [i, j] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)}) {
+      const T off = A(i, j);
+      if (!(off < T(0)) && !(T(0) < off)) {
+        continue;
+      }
+      // tan of the lesser angle: of a denominator that is no number, 0.
+      const T half = (A(j, j) - A(i, i)) / (T(2) * off), root = scalar::sqrt(T(T(1) + scalar::sq(half)));
+      const T t = half < T(0) ? T(T(1) / (half - root)) : T(T(1) / (half + root));
+      const T c = T(1) / scalar::sqrt(T(T(1) + scalar::sq(t))), s = t * c;
+      const int k = 3 - i - j;
+      const T x = A(i, k), y = A(j, k);
+      A(i, k) = A(k, i) = c * x - s * y;
+      A(j, k) = A(k, j) = s * x + c * y;
+      A(i, j) = A(j, i) = T(0);
+      A(i, i) = A(i, i) - t * off;
+      A(j, j) = A(j, j) + t * off;
+      for (int row = 0; row < 3; ++row) {
+        const T u = R(row, i), v = R(row, j);
+        R(row, i) = c * u - s * v;
+        R(row, j) = s * u + c * v;
+      }
+    }
+  }
+  std::array<int, 3> order = {0, 1, 2};
+  std::sort(order.begin(), order.end(), [&](int i, int j) { return A(i, i) < A(j, j); });
+  PrincipalAxes<T> result;
+  for (int i = 0; i < 3; ++i) {
+    const int from = order[static_cast<std::size_t>(i)];
+    result.moments[i] = A(from, from);
+    result.R_WP.col(i) = R.col(from);
+  }
+  return result;
+}
+
+}  // namespace detail
+
+/// Principal axes back from the full tensor.
 ///
 /// Domain  of any size (DOMAIN-12), its trace finite; symmetric, positive definite, triangle inequality (within round-off);
 ///         else InvalidArgument.
@@ -113,15 +175,17 @@ template <Ordered T>
   require(T(0) < trace && scalar::is_finite(trace), "tensor", trace, "must have a positive, finite trace (shown)");
   // Scaled to trace 1, so that moments of any unit neither overflow nor underflow in the solver.
   const Mat3<T> scaled = tensor / trace;
-  require(scalar::is_finite(T(scaled.sum())), "tensor", trace, "must be finite (its trace is shown)");
+  const bool is_number = (scaled.array() - scaled.array() == T(0)).all();  // no infinity, no NaN
+  require(is_number, "tensor", trace, "must be finite (its trace is shown)");
   const T asymmetry = (scaled - scaled.transpose()).cwiseAbs().maxCoeff();
   require(asymmetry <= T(16) * std::numeric_limits<T>::epsilon(), "tensor", asymmetry,
           "must be symmetric (largest difference shown, in units of the trace)");
-  const Eigen::SelfAdjointEigenSolver<Mat3<T>> solver(Mat3<T>((scaled + scaled.transpose()) / T(2)));
-  PrincipalAxes<T> result{.moments = Vec3<T>(solver.eigenvalues() * trace), .R_WP = solver.eigenvectors()};
+  PrincipalAxes<T> result = detail::jacobi_axes(Mat3<T>((scaled + scaled.transpose()) / T(2)));
+  result.moments = trace * result.moments;
   const char* broken = broken_inertia_rule(result.moments);
   require(broken == nullptr, "tensor", result.moments.minCoeff(), broken, " (least moment shown)");
-  if (result.R_WP.determinant() < T(0)) {
+  const Vec3<T> x = result.R_WP.col(0), y = result.R_WP.col(1), z = result.R_WP.col(2);
+  if (formula::dot(x, formula::cross(y, z)) < T(0)) {
     result.R_WP.col(0) = -result.R_WP.col(0);
   }
   return result;

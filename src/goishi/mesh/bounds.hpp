@@ -56,9 +56,12 @@ template <Ordered T>
   detail::require_point(pose.p_WB, "position");
   detail::require_direction(n_W);
   const Mat3<T> R_WB = rotation_matrix(pose.q_WB);
-  const Support<T> own = detail::support_of_unit<T>(stone, R_WB.transpose() * n_W);
+  const auto seen = [&](int i) { return formula::dot(Vec3<T>(R_WB.col(i)), n_W); };
+  const Support<T> own = detail::support_of_unit<T>(stone, {seen(0), seen(1), seen(2)});
+  const auto there = [&](int i) { return formula::dot(Vec3<T>(R_WB.row(i)), own.p_B); };
+  const Vec3<T> placed(there(0), there(1), there(2));
   return {.value = T(own.value + formula::dot(n_W, pose.p_WB)),
-          .p_W = formula::plus(pose.p_WB, Vec3<T>(R_WB * own.p_B)),
+          .p_W = formula::plus(pose.p_WB, placed),
           .feature = own.feature};
 }
 

@@ -8,6 +8,7 @@
 #include <goishi/error.hpp>
 #include <goishi/motion/free_flight.hpp>
 #include <goishi/motion/state.hpp>
+#include <goishi/vector.hpp>
 #include <vector>
 
 /// What Eigen must know of a batch: it is a scalar without an order.
@@ -64,7 +65,8 @@ class StoneBatch {
     group.rates.precession[lane] = rates.precession;
     group.rates.spin[lane] = rates.spin;
     const T rate = rates.precession + magnitude(rates.spin);
-    fastest_ = std::max(fastest_, T(rate * state.L_W.template lpNorm<1>()));
+    fastest_ =
+        std::max(fastest_, T(rate * (magnitude(state.L_W.x()) + magnitude(state.L_W.y()) + magnitude(state.L_W.z()))));
     greatest_rate_ = std::max(greatest_rate_, rate);
     reach_ = std::max(reach_, state.p_WB.template lpNorm<Eigen::Infinity>());
     speed_ = std::max(speed_, state.v_WB.template lpNorm<Eigen::Infinity>());
@@ -88,7 +90,7 @@ class StoneBatch {
   /// Cost    everything inlined: a group's state then stays in registers, which halves the time. If a stone may turn
   ///         by 2³² rad, farther than the batch's sine counts, the stones fly one by one.
   void fly(const Vec3<T>& gravity, const T& t) {
-    require(scalar::is_finite(gravity), "gravity", gravity.norm(), "must be finite");
+    require(scalar::is_finite(gravity), "gravity", detail::length(gravity), "must be finite");
     require(scalar::is_finite(t), "time", t, "must be finite");
     const T time = magnitude(t), gain = time * gravity.template lpNorm<Eigen::Infinity>();
     const T speed = speed_ + gain, reach = reach_ + time * (speed_ + gain / T(2));

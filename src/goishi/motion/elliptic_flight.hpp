@@ -8,6 +8,7 @@
 #include <goishi/motion/state.hpp>
 #include <goishi/rotation.hpp>
 #include <goishi/scalar.hpp>
+#include <goishi/vector.hpp>
 #include <limits>
 #include <utility>
 
@@ -41,7 +42,7 @@ template <Elementary T>
   const T kappa = I_c * (I_b - I_a) / (I_b * (I_c - I_a));
   jacobi.n = I_c * (I_b - I_a) / (I_a * (I_b - I_c));
   jacobi.ratio = scalar::sqrt(jacobi.ratio2);
-  jacobi.size = scalar::sqrt(T(L_F.dot(L_F)));
+  jacobi.size = scalar::sqrt(formula::dot(L_F, L_F));
   jacobi.A = scalar::sqrt(T(scalar::sq(L_F.x()) + scalar::sq(L_F.y()) / jacobi.ratio2));
   jacobi.B = jacobi.ratio * jacobi.A;
   jacobi.C = scalar::sqrt(T(scalar::sq(L_F.z()) + kappa * scalar::sq(L_F.y())));
@@ -106,8 +107,10 @@ template <Field T>
 template <Elementary T>
 [[nodiscard]] Quat<T> turned_about_momentum(const Quat<T>& q_WB, const Quat<T>& q_BF, const Quat<T>& start_S,
                                             const T& psi, const Quat<T>& end_S) {
-  const Quat<T> turn(scalar::cos(T(psi / T(2))), T(0), T(0), scalar::sin(T(psi / T(2))));
-  return q_WB * (q_BF * start_S.conjugate() * turn * end_S * q_BF.conjugate());
+  const auto [s, c] = scalar::sincos(T(psi / T(2)));
+  const Quat<T> turn(c, T(0), T(0), s);
+  const Quat<T> q = formula::product(formula::product(q_BF, start_S.conjugate()), formula::product(turn, end_S));
+  return formula::product(q_WB, formula::product(q, q_BF.conjugate()));
 }
 
 }  // namespace formula
@@ -148,7 +151,7 @@ template <Ordered T>
   JacobiFrame<T> frame;
   frame.R_BF << f1, f3.cross(f1), f3;
   frame.moments = {moments[a], moments[b], moments[c]};
-  frame.L_F = frame.R_BF.transpose() * L_B;
+  frame.L_F = {L_B[a], frame.R_BF.col(1)[b] * L_B[b], frame.R_BF.col(2)[c] * L_B[c]};
   return frame;
 }
 
@@ -187,8 +190,8 @@ template <Ordered T>
   const T flip = half - T(floor(half)) < T(1) / T(4) ? T(1) : T(-1);
   const Vec3<T> end_L = formula::jacobi_momentum(start, flip, end);
   return formula::turned_about_momentum(q_WB, Quat<T>(frame.R_BF),
-                                        formula::shortest_to_z(Vec3<T>(frame.L_F / start.size)).normalized(), psi,
-                                        formula::shortest_to_z(Vec3<T>(end_L / end_L.norm())).normalized());
+                                        detail::normalized(formula::shortest_to_z(Vec3<T>(frame.L_F / start.size))),
+                                        psi, detail::normalized(formula::shortest_to_z(detail::unit(end_L))));
 }
 
 /// The attitude of a body two of whose moments are equal, whatever the axis.
@@ -200,9 +203,10 @@ template <Ordered T>
     R_BF((axis + 1 + i) % 3, i) = T(1);
   }
   const Quat<T> q_BF(R_BF);
-  const Quat<T> q_WF = state.q_WB * q_BF;
+  const Quat<T> q_WF = formula::product(state.q_WB, q_BF);
   const TopRates<T> rates = formula::top_rates<T>({.axial = moments[axis], .transverse = moments[(axis + 1) % 3]});
-  return formula::free_rotation(q_WF, state.L_W, axial_momentum(q_WF, state.L_W, rates), rates, t) * q_BF.conjugate();
+  return formula::product(formula::free_rotation(q_WF, state.L_W, axial_momentum(q_WF, state.L_W, rates), rates, t),
+                          q_BF.conjugate());
 }
 
 template <Ordered T>
@@ -231,9 +235,10 @@ template <Ordered T>
   const Wide across = scalar::sq(L_B[(k + 1) % 3]) + scalar::sq(L_B[(k + 2) % 3]);
   if (!(scalar::tiny<Wide>() < scalar::sq(std::numeric_limits<Wide>::epsilon()) * across)) {
     const Wide half = L_B[k] * time / (Wide(2) * I[k]);
-    Quat<Wide> turn(scalar::cos(half), Wide(0), Wide(0), Wide(0));
-    turn.vec()[k] = scalar::sin(half);
-    return (q * turn).template cast<T>();
+    const auto [sine, cosine] = scalar::sincos(half);
+    Quat<Wide> turn(cosine, Wide(0), Wide(0), Wide(0));
+    turn.vec()[k] = sine;
+    return formula::product(q, turn).template cast<T>();
   }
   return asymmetric_rotation(q, jacobi_frame(I, L_B), time).template cast<T>();
 }

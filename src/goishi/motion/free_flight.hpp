@@ -51,7 +51,7 @@ template <Elementary T>
                                     const TopRates<T>& rates, const T& t) {
   const Quat<T> q = formula::reunited(q_WB);  // so that no chain of flights leaves the unit sphere
   const T half_spin = axial_momentum * (t * rates.spin) / T(2);
-  const T c = scalar::cos(half_spin), s = scalar::sin(half_spin);
+  const auto [s, c] = scalar::sincos(half_spin);
   const Quat<T> spun(T(c * q.w() - s * q.z()), T(c * q.x() + s * q.y()), T(c * q.y() - s * q.x()),
                      T(c * q.z() + s * q.w()));
   const T time = t * rates.precession;
@@ -96,7 +96,7 @@ template <Ordered T>
 template <Ordered T>
 void require_counted(const State<T>& state, const T& t) {
   const bool counted = scalar::is_finite(state.p_WB) && scalar::is_finite(state.v_WB);
-  require(T(0) < state.q_WB.squaredNorm() && counted, "time", t,
+  require(T(0) < detail::squared_norm(state.q_WB) && counted, "time", t,
           "must not take the body farther than its arithmetic can count");
 }
 

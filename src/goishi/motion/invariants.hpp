@@ -5,6 +5,7 @@
 #include <goishi/motion/state.hpp>
 #include <goishi/rotation.hpp>
 #include <goishi/scalar.hpp>
+#include <goishi/vector.hpp>
 
 namespace goishi {
 
@@ -29,19 +30,19 @@ namespace formula {
 template <Field T>
 [[nodiscard]] T rotational_energy(const State<T>& state, const RigidBody<T>& body) {
   const Vec3<T> L_B = formula::in_body(state.q_WB, state.L_W);
-  return L_B.dot(Vec3<T>(L_B.cwiseQuotient(body.moments))) / T(2);
+  return formula::dot(L_B, Vec3<T>(L_B.cwiseQuotient(body.moments))) / T(2);
 }
 
 /// Energy of translation   [J]: ½ m v².
 template <Field T>
 [[nodiscard]] T translational_energy(const State<T>& state, const RigidBody<T>& body) {
-  return body.mass * state.v_WB.dot(state.v_WB) / T(2);
+  return body.mass * formula::dot(state.v_WB, state.v_WB) / T(2);
 }
 
 /// Energy of position in uniform gravity   [J], zero at the origin of W: −m g · p.
 template <Field T>
 [[nodiscard]] T potential_energy(const State<T>& state, const RigidBody<T>& body, const Vec3<T>& gravity) {
-  return -(body.mass * gravity.dot(state.p_WB));
+  return -(body.mass * formula::dot(gravity, state.p_WB));
 }
 
 /// The energy that free flight keeps   [J].   Proof  derivations/free_flight.cpp.
@@ -70,7 +71,7 @@ template <Field T>
 [[nodiscard]] State<T> seen_from(const Vec3<T>& p_WV, const Quat<T>& q_WV, const Vec3<T>& v_WV, const State<T>& state) {
   const Quat<T> q_VW = formula::reunited(q_WV).conjugate();  // so that what it is off is not added to what q_WB is
   return {.p_WB = q_VW * Vec3<T>(state.p_WB - p_WV),
-          .q_WB = q_VW * state.q_WB,
+          .q_WB = formula::product(q_VW, state.q_WB),
           .v_WB = q_VW * Vec3<T>(state.v_WB - v_WV),
           .L_W = q_VW * state.L_W};
 }

@@ -7,6 +7,7 @@
 #include <goishi/motion/state.hpp>
 #include <goishi/rotation.hpp>
 #include <goishi/scalar.hpp>
+#include <goishi/vector.hpp>
 
 namespace goishi::formula {
 
@@ -32,7 +33,7 @@ template <Field T>
 /// Proof  derivations/steppers.cpp.
 template <Elementary T>
 [[nodiscard]] Quat<T> exponential_euler_attitude(const Quat<T>& q_WB, const Vec3<T>& w_WB, const T& dt) {
-  return formula::rotation_exp(Vec3<T>(dt * w_WB)) * q_WB;
+  return formula::product(formula::rotation_exp(Vec3<T>(dt * w_WB)), q_WB);
 }
 
 /// An attitude and a momentum in B, or their rates, as seven numbers, which the compiler keeps in registers.
@@ -108,8 +109,9 @@ template <Elementary T>
 [[nodiscard]] Quat<T> midpoint_attitude(const Quat<T>& q_WB, const Vec3<T>& middle, const Vec3<T>& inverse_moments,
                                         const T& dt) {
   const Vec3<T> half_turn = dt / T(2) * Vec3<T>(middle.cwiseProduct(inverse_moments));
-  const T over = T(1) / scalar::sqrt(T(T(1) + half_turn.dot(half_turn)));
-  return q_WB * Quat<T>(over, T(over * half_turn.x()), T(over * half_turn.y()), T(over * half_turn.z()));
+  const T over = T(1) / scalar::sqrt(T(T(1) + formula::dot(half_turn, half_turn)));
+  return formula::product(q_WB,
+                          Quat<T>(over, T(over * half_turn.x()), T(over * half_turn.y()), T(over * half_turn.z())));
 }
 
 // --- splitting into three exact rotations
@@ -120,7 +122,7 @@ template <int i, Elementary T>
 void turn_about(Rotor<T>& rotor, const Vec3<T>& inverse_moments, const T& dt) {
   constexpr int j = (i + 1) % 3, k = (i + 2) % 3;
   const T half = rotor.L_B[i] * inverse_moments[i] * dt / T(2);
-  const T c = scalar::cos(half), s = scalar::sin(half);
+  const auto [s, c] = scalar::sincos(half);
   const T cosine = T(1) - T(2) * scalar::sq(s), sine = T(2) * s * c;
   const T L_j = rotor.L_B[j], L_k = rotor.L_B[k];
   rotor.L_B[j] = cosine * L_j + sine * L_k;

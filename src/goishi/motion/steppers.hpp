@@ -10,6 +10,7 @@
 #include <goishi/motion/state.hpp>
 #include <goishi/motion/step_formulas.hpp>
 #include <goishi/published/attitude_step.hpp>
+#include <goishi/vector.hpp>
 #include <optional>
 #include <string_view>
 
@@ -120,7 +121,7 @@ class Stepper {
             "must not be so small that their inverses are no numbers");
     require(Scheme::published <= scheme && scheme <= Scheme::exact, "scheme", static_cast<int>(scheme),
             "must be one of the nine");
-    require(scalar::is_finite(gravity), "gravity", gravity.norm(), "must be finite");
+    require(scalar::is_finite(gravity), "gravity", detail::length(gravity), "must be finite");
     const T& x = body.moments.x();
     const T& y = body.moments.y();
     require(!info(scheme).needs_symmetry || (x <= y && y <= x), "moments", body.moments.transpose(),
@@ -208,7 +209,7 @@ class Stepper {
 
   /// Takes the next attitude over, if it is one: a quaternion whose square overflowed in normalising is 0, not a unit.
   [[nodiscard]] static StepStatus settle(State<T>& state, const Quat<T>& next) {
-    const T square = next.squaredNorm();
+    const T square = detail::squared_norm(next);
     if (!(T(1) / T(4) < square && square < T(4))) {
       return StepStatus::diverged;
     }
@@ -228,7 +229,7 @@ class Stepper {
       state.L_W = L_W;
       return StepStatus::completed;
     } else if constexpr (scheme == Scheme::explicit_euler) {
-      return settle(state, formula::raw_euler_attitude(q, angular_velocity(state), dt).normalized());
+      return settle(state, detail::normalized(formula::raw_euler_attitude(q, angular_velocity(state), dt)));
     } else if constexpr (scheme == Scheme::exponential_euler) {
       return settle(state, formula::reunited(formula::exponential_euler_attitude(q, angular_velocity(state), dt)));
     } else if constexpr (scheme == Scheme::implicit_midpoint) {
@@ -281,15 +282,23 @@ class Stepper {
   [[nodiscard]] std::optional<Vec3<T>> middle_momentum(const Vec3<T>& start, const T& dt) const {
     constexpr int most_iterations = 20;
     // Sums, not roots of squares, which overflow and vanish.
-    const T small = (T(4) * std::numeric_limits<T>::epsilon() * start).cwiseAbs().sum();
+    const auto size_of = [](const Vec3<T>& v) {
+      const Vec3<T> size = v.cwiseAbs();
+      return T(size.x() + size.y() + size.z());
+    };
+    const T small = T(4) * std::numeric_limits<T>::epsilon() * size_of(start);
     Vec3<T> middle = start;
     for (int i = 0; i < most_iterations; ++i) {
       const Mat3<T> jacobian = formula::midpoint_jacobian(middle, inverse_moments_, dt);
       const Vec3<T> residual = formula::midpoint_residual(middle, start, inverse_moments_, dt);
-      const Vec3<T> update = jacobian.inverse() * residual;
+      const Vec3<T> x = jacobian.col(0), y = jacobian.col(1), z = jacobian.col(2);  // by Cramer's rule
+      const Vec3<T> yz = formula::cross(y, z);
+      const T determinant = formula::dot(x, yz);
+      const Vec3<T> update(T(formula::dot(residual, yz) / determinant),
+                           T(formula::dot(residual, formula::cross(z, x)) / determinant),
+                           T(formula::dot(residual, formula::cross(x, y)) / determinant));
       middle -= update;
-      const T size = update.cwiseAbs().sum();
-      if (size <= small) {
+      if (size_of(update) <= small) {
         return middle;
       }
     }

@@ -18,7 +18,7 @@ struct PublishedTurn {
 template <Ordered T>
 [[nodiscard]] PublishedTurn<T> published_turn(const Quat<T>& q, const Vec3<T>& w_WB, const RigidBody<T>& body,
                                               const T& dt) {
-  const Quat<T> next = formula::raw_euler_attitude(q, w_WB, dt).normalized();
+  const Quat<T> next = detail::normalized(formula::raw_euler_attitude(q, w_WB, dt));
   const Vec3<T> L_W = formula::angular_momentum_W(next, body, formula::in_body(next, w_WB));
   return {.q_WB = next, .L_W = L_W};
 }

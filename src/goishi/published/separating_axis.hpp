@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <goishi/board/board.hpp>
 #include <goishi/contact/contact.hpp>
+#include <goishi/vector.hpp>
 #include <vector>
 
 namespace goishi {
@@ -34,7 +35,7 @@ struct PublishedAxes {
   std::array<Vec3<T>, 7> axes;
   std::size_t count = 0;
 
-  void add(const Vec3<T>& axis) { axes[count++] = axis / axis.norm(); }
+  void add(const Vec3<T>& axis) { axes[count++] = detail::unit(axis); }
 };
 
 template <Ordered T>
@@ -69,7 +70,7 @@ template <Ordered T>
   const Vec3<T> size = axis.cwiseAbs();
   const T reach = size.x() * board.half_width + size.y() * board.half_length;
   const T support = support_value(stone, see<T>(placed.u_W, axis).direction);
-  return reach - (axis.dot(placed.p_W) - support);
+  return reach - (formula::dot(axis, placed.p_W) - support);
 }
 
 template <Ordered T>
@@ -116,7 +117,7 @@ template <Ordered T>
       return result;
     }
     // Of equals the last in the preferred direction, else the first: as published.
-    const T merit = push_out == PushOut::preferred          ? axis.dot(preferred)
+    const T merit = push_out == PushOut::preferred          ? formula::dot(axis, preferred)
                     : push_out == PushOut::most_penetration ? depth
                                                             : T(-depth);
     if (!result.colliding || best < merit || (push_out == PushOut::preferred && !(merit < best))) {

@@ -40,7 +40,7 @@ template <Elementary T>
   const T joint_radius = scalar::sqrt(T(cap_height * (T(2) * sphere_offset + (height + bevel_height) / T(2))));
   const T core_share = sphere_offset / joint_offset;
   return {.major_radius = T(joint_radius * core_share),
-          .minor_radius = T(sphere_radius * (bevel_height / T(2)) / joint_offset),
+          .minor_radius = T(sphere_radius / joint_offset * (bevel_height / T(2))),  // so, b is any normal number
           .core_sphere_radius = T(sphere_radius * core_share),
           .joint_radius = joint_radius,
           .joint_cosine = T(joint_radius / sphere_radius),

@@ -4,6 +4,7 @@
 /// over the surface: no torus quartic, one path for sharp and bevelled.
 
 #include <goishi/shape/surface.hpp>
+#include <goishi/vector.hpp>
 
 namespace goishi {
 
@@ -33,7 +34,7 @@ template <Ordered T>
     if (at.distance <= small) {
       return true;
     }
-    const T slope = sign * at.normal_B.dot(u_B);
+    const T slope = sign * formula::dot(at.normal_B, u_B);
     if (!(slope < T(0))) {
       return false;
     }
@@ -55,7 +56,7 @@ template <Ordered T>
 ///         they and the answer "passes" are those of a line nearer than 8 ε of that (DOMAIN-11).
 template <Ordered T>
 [[nodiscard]] RayHit<T> cast_ray(const Stone<T>& stone, const Vec3<T>& p_B, const Vec3<T>& u_B) {
-  if (!(p_B.squaredNorm() < std::numeric_limits<T>::max() / T(4))) [[unlikely]] {
+  if (!(formula::dot(p_B, p_B) < std::numeric_limits<T>::max() / T(4))) [[unlikely]] {
     detail::require_point(p_B, "start");
     throw_invalid("start", p_B.transpose(), "must have a square that is finite");
   }
@@ -63,14 +64,14 @@ template <Ordered T>
   RayHit<T> result;
   // From the point of the line that is nearest to the centre, so that a far start costs no digits but its own. Twice:
   // the first is off by as much of the way as |u|² is off 1.
-  const T far = -p_B.dot(u_B);
+  const T far = -formula::dot(p_B, u_B);
   const Vec3<T> near = p_B + far * u_B;
-  const T rest = -near.dot(u_B);
+  const T rest = -formula::dot(near, u_B);
   const T nearest = far + rest;
   const Vec3<T> middle = near + rest * u_B;
   // A little more than the stone reaches, so that both ends are outside.
   const T bound = (T(1) + unit_tolerance<T>()) * outer_width(stone) / T(2);
-  const T half_square = scalar::sq(bound) - middle.squaredNorm();
+  const T half_square = scalar::sq(bound) - formula::dot(middle, middle);
   if (half_square < T(0)) {
     return result;
   }

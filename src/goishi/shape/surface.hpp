@@ -9,6 +9,7 @@
 #include <goishi/rotation.hpp>
 #include <goishi/scalar.hpp>
 #include <goishi/shape/stone.hpp>
+#include <goishi/vector.hpp>
 #include <limits>
 #include <string_view>
 
@@ -166,10 +167,10 @@ template <Ordered T>
 
 template <Ordered T>
 void require_direction(const Vec3<T>& n, const char* argument = "normal") {
-  const T defect = n.squaredNorm() - T(1);
+  const T defect = formula::dot(n, n) - T(1);
   const T tolerance = unit_tolerance<T>();
   if (!(defect < tolerance && -tolerance < defect)) [[unlikely]] {
-    throw_invalid(argument, n.norm(), "must be a unit vector (its length is shown)");
+    throw_invalid(argument, detail::length(n), "must be a unit vector (its length is shown)");
   }
 }
 

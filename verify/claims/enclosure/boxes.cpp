@@ -189,7 +189,7 @@ std::vector<Claim> enclosure_box_claims() {
        .checks = {{.unit = "boxes not proved or given up", .bound = 0.0, .reason = reason, .counts = true}},
        .mutants = {{"shape/bevel.hpp", "T(2) * sphere_offset + (height + bevel_height)",
                     "T(2) * sphere_offset - (height + bevel_height)"},
-                   {"shape/bevel.hpp", "sphere_radius * (bevel_height / T(2)) / joint_offset",
+                   {"shape/bevel.hpp", "sphere_radius / joint_offset * (bevel_height / T(2))",
                     "(sphere_radius - sphere_radius * core_share)"},
                    {"shape/lens.hpp", "T((width - height) * (width + height) / (T(4) * height))",
                     "T((height - width) * (width + height) / (T(4) * height))"}},
@@ -206,10 +206,9 @@ std::vector<Claim> enclosure_box_claims() {
            reason + "; towards the edges of the whole domain P_x becomes w/2, and boxes would shrink without end")},
        .mutants = {{"shape/bevel.hpp", "T(2) * sphere_offset + (height + bevel_height) / T(2)",
                     "T(2) * sphere_offset + (height + bevel_height)"},
-                   {"mass/volume.hpp", "const T caps = terms.cap_height *",
-                    "const T caps = T(-4) * terms.cap_height *"},
-                   {"mass/volume.hpp", "const T caps = terms.joint_square + scalar::sq(terms.cap_height);",
-                    "const T caps = T(-4) * terms.joint_square;"}},
+                   {"mass/volume.hpp", "const T caps = k *", "const T caps = T(-4) * k *"},
+                   {"mass/volume.hpp", "const T caps = scalar::sq(stone.joint_radius) + scalar::sq(terms.cap_height);",
+                    "const T caps = T(-4) * scalar::sq(stone.joint_radius);"}},
        .measure = measure_bodies},
       {.id = "ENCLOSURE-8",
        .statement =
@@ -222,7 +221,7 @@ std::vector<Claim> enclosure_box_claims() {
                    .reason =
                        reason + "; of thinner stones I_a is 2 I_t but for (h/w)², and boxes would have to be as small",
                    .counts = true}},
-       .mutants = {{"mass/inertia.hpp", "axial / T(2) + (height_caps", "axial / T(2) - (height_caps"}},
+       .mutants = {{"mass/inertia.hpp", "(axial + across)", "(axial - across)"}},
        .measure = measure_triangle},
   };
 }

@@ -260,7 +260,7 @@ std::vector<Claim> accuracy_claims() {
        .family = OracleFamily::rounding,
        .oracle = arb,
        .checks = {rounded_once},
-       .mutants = {{"shape/bevel.hpp", "T(sphere_radius * (bevel_height / T(2)) / joint_offset)",
+       .mutants = {{"shape/bevel.hpp", "T(sphere_radius / joint_offset * (bevel_height / T(2)))",
                     "T(sphere_radius - sphere_radius * core_share)"}},
        .measure = measure_cancellation},
       {.id = "SHAPE-5",

@@ -199,7 +199,7 @@ std::vector<Claim> law_claims() {
                   within("width", 2.0 * epsilon, "relative", "r₁ and r₂ are each rounded once, and so is their sum",
                          epsilon)},
        .mutants = {{"mass/volume.hpp", "(square + T(2)) * sine", "(square + T(1)) * sine"},
-                   {"mass/inertia.hpp", "r2_2 * arc.c5", "r2_2 * arc.c4"}},
+                   {"mass/inertia.hpp", "r2 * arc.fifteen_c5", "r2 * arc.c4"}},
        .measure = measure_ball},
       {.id = "LAW-2",
        .statement = "As h goes to 0 the lens becomes a parabolic disc: π h w²/8, w²/12, w²/24.",
@@ -211,7 +211,7 @@ std::vector<Claim> law_claims() {
            "(h/w)² < 1e-16 is neglected; 1 ulp of production (3 of the area, whose formula is the limit's), 2½ "
            "of the limit's formula in double",
            epsilon)},
-       .mutants = {{"mass/volume.hpp", "scalar::pi<T>() / T(3) * a", "scalar::pi<T>() / T(4) * a"}},
+       .mutants = {{"mass/volume.hpp", "scalar::pi<Wide>() / Wide(3) * (sum", "scalar::pi<Wide>() / Wide(4) * (sum"}},
        .measure = measure_disc},
       {.id = "LAW-3",
        .statement = "A stone λ times as large has λ² the area, λ³ the volume and λ⁵ the moments.",
@@ -225,8 +225,8 @@ std::vector<Claim> law_claims() {
                       epsilon),
                   within("powers of two", 0.0, "relative", "they are exact; taken where h is nearer to w, or b to h")},
        .mutants = {{"mass/inertia.hpp", "scalar::sq(r1_2) * g", "r1_2 * g"},
-                   {"mass/volume.hpp", "terms.joint_square + scalar::sq(terms.cap_height);",
-                    "terms.joint_square + terms.cap_height;"}},
+                   {"mass/volume.hpp", "scalar::sq(stone.joint_radius) + scalar::sq(terms.cap_height);",
+                    "scalar::sq(stone.joint_radius) + terms.cap_height;"}},
        .measure = measure_scaling},
       {.id = "LAW-4",
        .statement = "The lens lies between the double cone and the ellipsoid of the same rim and poles, the bevelled "
@@ -239,7 +239,7 @@ std::vector<Claim> law_claims() {
            "8 ulp of production and 4 of the bounds in double, where a bound is attained (the ball, the thinnest "
            "bevel)",
            epsilon)},
-       .mutants = {{"mass/volume.hpp", "T(3) * scalar::sq(c) + scalar::sq(a)", "T(6) * scalar::sq(c) + scalar::sq(a)"}},
+       .mutants = {{"mass/volume.hpp", "T(3) + scalar::product<Wide>(a, a)", "T(6) + scalar::product<Wide>(a, a)"}},
        .measure = measure_sandwich},
       {.id = "LAW-5",
        .statement =
@@ -252,7 +252,7 @@ std::vector<Claim> law_claims() {
            "8 ulp of production; the core's lens is made from four rounded fields, its rim angle has an atan2, "
            "the sum six terms; measured 2026-11-30 with 40 seeds: up to 4.5 ε",
            epsilon)},
-       .mutants = {{"mass/volume.hpp", "T(2) * terms.arc.c2 * r1", "terms.arc.c2 * r1"},
+       .mutants = {{"mass/volume.hpp", "T(2) * scalar::sq(r2) * terms.arc.c2", "scalar::sq(r2) * terms.arc.c2"},
                    {"mass/volume.hpp", "caps + T(2) * band", "caps + band"}},
        .measure = measure_steiner},
       {.id = "LAW-6",
@@ -273,7 +273,7 @@ std::vector<Claim> law_claims() {
        .oracle = "the lens' own closed form",
        .checks = {within("", 10.0 * epsilon, "relative", "8 ulp of the one, 1 of the other, 1e-12 squared of the bevel",
                          epsilon)},
-       .mutants = {{"mass/inertia.hpp", "(T(1) / T(30));", "(T(1) / T(31));"},
+       .mutants = {{"mass/inertia.hpp", "Wide(15) * axial", "Wide(16) * axial"},
                    {"mass/inertia.hpp", "T(5) * p2 + T(3) * k2", "T(3) * p2 + T(5) * k2"}},
        .measure = measure_vanishing_bevel},
   };

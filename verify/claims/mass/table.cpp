@@ -183,7 +183,7 @@ std::vector<Claim> table_claims() {
                  "8 ulp of production; width, height and bevel in metres are rounded (½ ulp each, to the fifth power), "
                  "and ρ I once more",
              .resolution = std::numeric_limits<double>::epsilon()}},
-       .mutants = {{"mass/volume.hpp", "T(2) * terms.arc.c2 * r1", "terms.arc.c2 * r1"}},
+       .mutants = {{"mass/volume.hpp", "T(2) * scalar::sq(r2) * terms.arc.c2", "scalar::sq(r2) * terms.arc.c2"}},
        .measure = measure_production},
       {.id = "TABLE-4",
        .statement =

@@ -341,8 +341,7 @@ std::vector<Claim> motion_law_claims() {
            rounded("position", 8.0, "ε of the way",
                    "three flights, two roundings each of a term, and the sum of the times")},
           {{"motion/free_flight.hpp", "t * (state.v_WB + gain / T(2))", "t * state.v_WB"},
-           {"motion/free_flight.hpp", "const T c = scalar::cos(half_spin), s = scalar::sin(half_spin)",
-            "const T c = scalar::cos(half_spin), s = half_spin"}},
+           {"motion/free_flight.hpp", "T(c * q.w() - s * q.z())", "T(c * q.w() - half_spin * q.z())"}},
           measure_composition),
       law("MOTION-5",
           "Seen from any inertial frame, momentum and energy are those of that frame, the energy is kept, and to fly "

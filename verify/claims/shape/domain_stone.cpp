@@ -257,9 +257,9 @@ std::vector<Claim> domain_stone_claims() {
        .checks = {within("numbers", 12.0, "ulp",
                          "MASS-2's 8; rounding that is not to the nearest errs by twice as much", 1.0),
                   refusals},
-       .mutants = {{"mass/inertia.hpp", "Wide(result.density * result.moments.axial)",
-                    "Wide(result.density * T(result.moments.axial))"},
-                   {"mass/inertia.hpp", "least <= value && value <= most", "value <= most"}},
+       .mutants = {{"mass/inertia.hpp", "in(unit.moments.axial * rho, 5 * n + m)",
+                    "in(unit.moments.axial * rho * T(2), 5 * n + m)"},
+                   {"mass/inertia.hpp", "least <= value && value < most", "value < most"}},
        .measure = measure_masses},
       {.id = "DOMAIN-3",
        .statement = "The inertia tensor is right for bodies of any size and mass, at any distance, for attitudes with "

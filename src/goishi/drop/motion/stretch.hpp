@@ -3,7 +3,8 @@
 /// A stretch of a drop's motion: what its state is at any time of it. A flight and a series of bounces are closed forms,
 /// a stretch of contact is a polynomial in the variables that were integrated.
 
-#include <cmath>
+#include <array>
+#include <cstddef>
 #include <goishi/drop/equations/carried.hpp>
 #include <goishi/drop/equations/kinetics.hpp>
 #include <goishi/drop/schemes/runge_kutta.hpp>
@@ -31,7 +32,8 @@ struct ContactFrame {
 template <Ordered T>
 [[nodiscard]] std::array<T, 2> slip_of(ContactMode mode, const Variables<T>& y) {
   if (mode == ContactMode::sliding) {
-    return {T(y[at::slip] * scalar::cos(y[at::direction])), T(y[at::slip] * scalar::sin(y[at::direction]))};
+    const auto [s, c] = scalar::sincos(y[at::direction]);
+    return {T(y[at::slip] * c), T(y[at::slip] * s)};
   }
   return {y[at::slip], y[at::direction]};
 }
@@ -106,26 +108,40 @@ struct Stretch {
   std::variant<Standing<T>, Flying<T>, Bouncing<T>, Touching<T>> motion;
 };
 
-/// A time t after the first bounce.
+/// The least power eⁿ, n = 0, 1, …, that is not below `least`: by squares, e², e⁴, e⁸ …, from the greatest exponent down.
+/// Domain  0 < least <= 1, 0 < e < 1.
+template <Ordered T>
+[[nodiscard]] T least_power(const T& e, const T& least) {
+  constexpr std::size_t most = 256;  // squares: of a rational number next to 1 in any type
+  std::array<T, most> squares;
+  std::size_t count = 0;
+  for (T power = e; count < most && least <= power; power = scalar::sq(power)) {
+    squares[count++] = power;
+  }
+  T result(1);
+  while (0 < count) {
+    const T next = result * squares[--count];
+    result = least <= next ? next : result;
+  }
+  return result;
+}
+
+/// A time t after the first bounce: n bounces later, which take first (1 − eⁿ)/(1 − e).
 template <Ordered T>
 [[nodiscard]] State<T> bouncing(const Bouncing<T>& motion, const TopRates<T>& rates, const T& t) {
-  using std::exp, std::expm1, std::floor, std::log;
+  using Wide = scalar::wider_t<T>;
   State<T> state = motion.from;
   const T v = state.v_WB.z();
   state.v_WB.z() = T(0);
   state = formula::free_flight(state, rates, Vec3<T>(Vec3<T>::Zero()), t);
-  const T first = T(2) * v / motion.g, log_e = log(motion.restitution);
-  const T left = T(1) - t * (T(1) - motion.restitution) / first;
-  if (!(T(0) < v) || !(T(0) < left) || !(T(0) < motion.restitution)) {
+  const T& e = motion.restitution;
+  const T first = T(2) * v / motion.g, left = T(1) - t * (T(1) - e) / first;
+  if (!(T(0) < v) || !(T(0) < left) || !(T(0) < e && e < T(1))) {
     return state;
   }
-  const auto begin = [&](const T& bounce) {
-    return T(-first * T(expm1(T(bounce * log_e))) / (T(1) - motion.restitution));
-  };
-  T bounce = floor(T(log(left) / log_e));
-  bounce = begin(T(bounce + T(1))) <= t ? T(bounce + T(1)) : bounce;
-  const T s = t < begin(bounce) ? T(0) : T(t - begin(bounce));
-  const T up = v * T(exp(T(bounce * log_e)));
+  const Wide power = least_power(Wide(e), Wide(left < T(1) ? left : T(1)));
+  const T begin = first * T((Wide(1) - power) / (Wide(1) - Wide(e)));
+  const T s = t < begin ? T(0) : T(t - begin), up = v * T(power);
   const T height = s * (up - motion.g * s / T(2));
   state.p_WB.z() = state.p_WB.z() + (height < T(0) ? T(0) : height);
   state.v_WB.z() = up - motion.g * s;

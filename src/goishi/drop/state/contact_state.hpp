@@ -7,6 +7,7 @@
 #include <goishi/drop/equations/kinetics.hpp>
 #include <goishi/drop/motion/stretch.hpp>
 #include <goishi/drop/state/run.hpp>
+#include <goishi/vector.hpp>
 #include <limits>
 
 namespace goishi::detail {
@@ -63,7 +64,7 @@ struct ContactState : ContactFrame<T> {
   void rebase(const Quat<T>& q) {
     this->q_origin = formula::reunited(q);
     origin = formula::symmetry_axis(this->q_origin);
-    origin = origin / origin.norm();
+    origin = detail::unit(origin);
   }
 
   /// Carries it from the present one, once the axis has gone far from where it was. True if so.
