@@ -111,6 +111,34 @@ in the direction $n$ is $(r_1, 0) + r_2 n$, and $S = n \cdot ((r_1, 0) + r_2 n)$
                   .controls = scaled(gap)});
 }
 
+/// Where a tilted stone meets a surface below it. The axis in W is that which sees the normal at the angle φ.
+void level(Document& document, const goishi::Stone<ex>& stone, const Direction& n) {
+  document.section("A surface z = const");
+  document.text(
+      R"(A stone over a surface of the normal $W_z$, its axis $u = (n_r \cos\psi, n_r \sin\psi, \mu)$: it meets the surface
+with its farthest point in the direction $-W_z$. On a cap that is the point of the sphere below the centre of the
+sphere, which is $d$ along the axis, up for the lower cap; on the rim it is the point of the circle that is lowest, along
+$W_z - \mu u$ from the centre, downwards, and $r_2$ below it.)");
+  document.shipped("formula::level_contact", "contact/stone_plane.hpp");
+  const Vector u(n.radial * n.around_x, n.radial * n.around_y, n.axial);
+  const Vector letters(possymbol("la", "a_1"), possymbol("lb", "a_2"), possymbol("lc", "a_3")), down(0, 0, -1);
+  const auto prove = [&](const char* text, const ex& support, const ex& slope, const Vector& lowest) {
+    const auto found = [&](const ex& s, const ex& k) { return letters.dot(formula::level_contact<ex>(u, s, k)); };
+    document.prove({.text = text,
+                    .result = found(support, slope),
+                    .witness = letters.dot(lowest),
+                    .controls = {found(support, -slope), found(-support, slope), found(support * 2, slope),
+                                 found(support, slope * ex(1001) / 1000), -found(support, slope)}});
+  };
+  prove("the lower cap, $-S' = d$", formula::cap_support<ex>(stone, n.axial, pow(n.radial, 2)), stone.sphere_offset,
+        Vector(stone.sphere_offset * u + stone.sphere_radius * down));
+  // Down along the plane of the rim: (W_z − μu)/n_r.
+  const Vector up_the_rim = (Vector(-down) - n.axial * u) / n.radial;
+  prove("the rim, $-S' = r_1 \\mu/n_r$", formula::rim_support<ex>(stone, n.radial),
+        formula::rim_slope<ex>(stone, n.axial, n.radial),
+        Vector(stone.bevel_minor_radius * down - stone.bevel_major_radius * up_the_rim));
+}
+
 void joint(Document& document, const goishi::Stone<ex>& stone, const Torus& torus, const Direction& n) {
   document.section("The switch");
   document.text(
@@ -270,6 +298,7 @@ int main() {
     const Direction n;
     cap(document, stone, n);
     rim(document, stone, n);
+    level(document, stone, n);
     joint(document, stone, torus, n);
     core(document, stone);
     rims(document);

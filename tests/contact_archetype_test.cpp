@@ -182,6 +182,7 @@ Numbers rational_contact_formulas() {
   const Stone<T> stone = whole_stone<T>();
   numbers.add(formula::rim_slope(stone, T(3) / T(5), T(4) / T(5)));
   numbers.add(formula::support_point(formula::rim_support_reach(stone, T(4)), vector<T>(1, 2, 3), T(5)));
+  numbers.add(formula::level_contact(vector<T>(1, 2, 3), T(4), T(5)));
   numbers.add(formula::centre_at(whole_path<T>(), T(3)));
   const Wobble<T> wobble = formula::wobble(stone, whole_path<T>(), vector<T>(0, 1, 0));
   numbers.add(formula::wobble_at(wobble, T(3) / T(5), T(4) / T(5)));

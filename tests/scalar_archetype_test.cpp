@@ -107,6 +107,7 @@ Numbers rational_motion_formulas() {
   numbers.add(formula::attitude_rate(e.w, e.q));
   numbers.add(formula::reunited(e.q));
   numbers.add(formula::symmetry_axis(e.q));
+  numbers.add(formula::unit_axis(e.q));
   numbers.add(formula::in_body(e.q, e.w));
   numbers.add(formula::angular_velocity_B(e.state, e.body));
   numbers.add(formula::angular_velocity_W(e.state, e.body));

@@ -93,15 +93,48 @@ template <Field T>
           T(T(1) - T(2) * (scalar::sq(q.x()) + scalar::sq(q.y())))};
 }
 
+/// The same of q/|q|, to O(δ²), where round-off has taken |q| off 1 by δ: what `reunited` would do to q, at the end.
+///
+///     u = (2(q_x q_z + q_w q_y), 2(q_y q_z − q_w q_x), q_w² + q_z² − q_x² − q_y²) ((3 − |q|²)/2)²
+///
+/// Proof  derivations/rotation.cpp.
+template <Field T>
+[[nodiscard]] inline Vec3<T> unit_axis(const Quat<T>& q) {
+  const T w = q.w(), x = q.x(), y = q.y(), z = q.z();
+  const T wz = w * w + z * z, xy = x * x + y * y;
+  const T scale = scalar::sq(T((T(3) - (wz + xy)) / T(2))), twice = scale + scale;
+  return {T(twice * (x * z + w * y)), T(twice * (y * z - w * x)), T(scale * (wz - xy))};
+}
+
 }  // namespace formula
+
+namespace detail {
+
+/// |q|² − 1.
+template <Ordered T>
+[[nodiscard]] inline T unit_defect(const Quat<T>& q) {
+  const T wz = scalar::sq(q.w()) + scalar::sq(q.z()), xy = scalar::sq(q.x()) + scalar::sq(q.y());
+  return T(wz + xy) - T(1);
+}
+
+/// Of |q|² − 1 or |n|² − 1.
+template <Ordered T>
+[[nodiscard]] inline bool is_unit_defect(const T& defect) {
+  return scalar::abs(defect) < unit_tolerance<T>();
+}
+
+template <Ordered T>
+[[nodiscard]] inline bool is_unit(const Quat<T>& q) {
+  return is_unit_defect(unit_defect(q));
+}
+
+}  // namespace detail
 
 /// Throws InvalidArgument unless |q| = 1 within `unit_tolerance`.
 template <Ordered T>
 void require_unit(const Quat<T>& q_WB) {
-  const T defect = q_WB.squaredNorm() - T(1);
-  const T tolerance = unit_tolerance<T>();
-  if (!(defect < tolerance && -tolerance < defect)) [[unlikely]] {
-    throw_invalid("attitude", q_WB.norm(), "must be a unit quaternion; |q|² is off by ", defect,
+  if (const T defect = detail::unit_defect(q_WB); !detail::is_unit_defect(defect)) [[unlikely]] {
+    throw_invalid("attitude", scalar::sqrt(T(defect + T(1))), "must be a unit quaternion; |q|² is off by ", defect,
                   ", more than round-off: normalise it first");
   }
 }
@@ -121,7 +154,7 @@ template <Ordered T>
 template <Ordered T>
 [[nodiscard]] Vec3<T> symmetry_axis(const Quat<T>& q_WB) {
   require_unit(q_WB);
-  return formula::symmetry_axis(formula::reunited(q_WB));
+  return formula::unit_axis(q_WB);
 }
 
 }  // namespace goishi
