@@ -2,7 +2,7 @@
 /// The support function of the stone: maximiser on cap and rim, its switch, thin stones; the distance from the core; which
 /// points of two rims separate two stones most; and the bound that makes the time of impact safe.
 
-#include <goishi/contact/flight_path.hpp>
+#include <goishi/contact/gap_along.hpp>
 #include <goishi/contact/stone_plane.hpp>
 #include <goishi/shape/surface.hpp>
 
@@ -31,6 +31,7 @@ goishi::Stone<ex> stone_of(const Torus& torus) {
   stone.bevel_major_radius = torus.major;
   stone.bevel_minor_radius = torus.minor;
   stone.core_sphere_radius = torus.core_radius;
+  stone.joint_cosine = torus.joint.cosine;
   return stone;
 }
 
@@ -253,7 +254,7 @@ $H = h_0 + v t - g t^2/2 - S(u)$. So $H'' = -g - S''(u)\,u'^2 - S'(u)\,u''$. On 
        .result = sum.subs(pow(sine, 2) == 1 - pow(c, 2)).expand(),
        .witness = (pow(rate, 4) * (pow(B, 2) + pow(C, 2))),
        .controls = scaled(sum.subs(pow(sine, 2) == 1 - pow(c, 2)))});
-  document.shipped("formula::greatest_bend", "contact/flight_path.hpp");
+  document.shipped("formula::greatest_bend", "contact/gap_along.hpp");
   const possymbol swing("swing", R"(\sqrt{B^2 + C^2})"), offset("d");
   const Direction phase;
   const exmap at_the_top = {{B, swing * phase.radial}, {C, swing * phase.axial}};
@@ -286,7 +287,24 @@ $H = h_0 + v t - g t^2/2 - S(u)$. So $H'' = -g - S''(u)\,u'^2 - S'(u)\,u''$. On 
                   .controls = scaled(at_joint)});
   document.text(
       R"(With $S'' \le 0$ and $|S'| \le d$, $H'' \ge -M$ with $M = g + d\,\Omega^2\sqrt{B^2 + C^2}$, and from $H \ge 0$ the
-step $s$ with $H + H's - Ms^2/2 = 0$ cannot pass a root.)");
+step $s$ with $H + H's - Ms^2/2 = 0$ cannot pass a root. On the rim $n_r = \sqrt{1 - u^2}$ is not below $\cos\alpha$, so that
+$-S'' \le r_1/\cos^3\alpha$; and $|u'| \le \Omega \sqrt{B^2 + C^2}$, by the first of these. So $H'' \le M^+$, if gravity
+points down.)");
+  document.shipped("formula::greatest_lift", "contact/gap_along.hpp");
+  const ex lift = formula::greatest_lift<ex>(stone, rate, B, C);
+  const ex at_the_joint = by_u(slope).subs(k == 1 / (1 + torus.tau));
+  document.prove(
+      {.text = R"(it is $-d\,u''$, as above, and $-S''\,u'^2$ with $S''$ at the joint and $u'$ where $u'' = 0$)",
+       .result = lift,
+       .witness = (-stone.sphere_offset * in_letters(u.diff(time, 2))).subs(then).subs(at_the_top) -
+                  at_the_joint * pow(rate * swing, 2),
+       .meaning = at_the_top,
+       .controls = {-lift, lift * ex(1001) / 1000, lift.subs(B == 2 * B),
+                    formula::greatest_bend<ex>(stone.sphere_offset, rate, B, C)}});
+  document.text(
+      R"(After that step from where $H' < 0$, $H \le \frac12 (M + M^+) s^2$. Where $H' + 2 M^+ s < 0$, too, $H$ falls there at
+$-H' - M^+ s$ or faster, and for another $s$ at $-H' - 2 M^+ s$ or faster: if $\frac12 (M + M^+) s^2$ is less than what that
+takes off in a time no longer than $s$, the root is not farther off than that time.)");
 }
 
 }  // namespace

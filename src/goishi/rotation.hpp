@@ -85,6 +85,14 @@ template <Field T>
   return Quat<T>(T(scale * q.w()), T(scale * q.x()), T(scale * q.y()), T(scale * q.z()));
 }
 
+/// The same of a vector: u (3 − |u|²)/2.
+template <Field T>
+[[nodiscard]] inline Vec3<T> reunited(const Vec3<T>& u) {
+  const T square = scalar::sq(u.x()) + scalar::sq(u.y()) + scalar::sq(u.z());
+  const T scale = (T(3) - square) / T(2);
+  return {T(scale * u.x()), T(scale * u.y()), T(scale * u.z())};
+}
+
 /// The symmetry axis in W: q_WB Bz, the third column of R_WB.
 /// Proof  derivations/rotation.cpp.
 template <Field T>

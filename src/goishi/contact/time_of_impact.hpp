@@ -5,7 +5,7 @@
 /// separating normal of the moment gives such a function, which is never above the true separation: its first root is a
 /// time before which nothing can touch.
 
-#include <goishi/contact/flight_path.hpp>
+#include <goishi/contact/gap_along.hpp>
 #include <goishi/contact/stone_board.hpp>
 #include <goishi/contact/stone_plane.hpp>
 #include <goishi/contact/stone_stone.hpp>
@@ -112,18 +112,11 @@ template <Ordered T>
   const auto contact_at = [&](const T& t) {
     return detail::separation_along(detail::placed_at(stone, path, t), plane.n_W, plane.offset);
   };
-  const bool near = !(T(0) < gap.within_reach(T(0), nothing.gap));
-  if (near && gap(T(0)).gap < -nothing.gap) {
-    result.status = ImpactStatus::overlapping;
-    result.time = T(0);
-    result.contact = contact_at(T(0));
-    return result;
-  }
-  const detail::RootSearch<T> root = detail::first_root(gap, T(0), horizon, nothing, detail::most_root_steps);
+  const detail::RootSearch<T> root = detail::first_root(gap, T(0), horizon, nothing, detail::most_root_steps, true);
   result.status = root.status;
   result.time = root.time;
   result.steps = root.steps;
-  if (root.status == ImpactStatus::hit) {
+  if (root.status == ImpactStatus::hit || root.status == ImpactStatus::overlapping) {
     result.separations = 1;
     result.contact = contact_at(root.time);
     if (!scalar::is_finite(result.contact.gap)) [[unlikely]] {

@@ -1,27 +1,15 @@
 #pragma once
 /// \file
-/// A stone in free flight as contact sees it, and the gap along one normal as a function of time: explicit, its second
-/// derivative bounded below, so that its first root cannot be jumped over.
+/// The gap of a stone in free flight along one normal, as a function of time: explicit, its second derivative bounded
+/// below, so that its first root cannot be jumped over, and above, so that one that is near is known to be there.
 
 #include <array>
 #include <goishi/contact/stone_plane.hpp>
+#include <goishi/motion/flight_path.hpp>
 #include <limits>
 #include <string_view>
 
 namespace goishi {
-
-/// How a stone flies: its centre on a parabola, its symmetry axis precessing about a fixed direction.
-///
-///     p(t) = p + v t + a t²/2,   u(t) = (k·u) k + cos(Ω t) (u − (k·u) k) + sin(Ω t) k × u
-template <class T>
-struct FlightPath {
-  Vec3<T> p_W = Vec3<T>::Constant(scalar::unset<T>());  // [m]
-  Vec3<T> v_W = Vec3<T>::Constant(scalar::unset<T>());  // [m/s]
-  Vec3<T> a_W = Vec3<T>::Constant(scalar::unset<T>());  // [m/s²]
-  Vec3<T> u_W = Vec3<T>::Constant(scalar::unset<T>());  // unit, symmetry axis at t = 0
-  Vec3<T> k_W = {T(0), T(0), T(1)};                     // unit, direction of the angular momentum
-  T rate = T(0);                                        // Ω = |L|/I_t [rad/s]
-};
 
 enum class ImpactStatus {
   hit,
@@ -44,22 +32,8 @@ struct Wobble {
 
 namespace formula {
 
-/// Where the centre is at the time t.
-/// Proof  derivations/flight_path.cpp, as of all below but the last.
-template <Field T>
-[[nodiscard]] Vec3<T> centre_at(const FlightPath<T>& path, const T& t) {
-  return path.p_W + t * (path.v_W + t / T(2) * path.a_W);
-}
-
-/// The axis at the time t: u turned about k by Ωt (Rodrigues).
-template <Elementary T>
-[[nodiscard]] Vec3<T> axis_at(const FlightPath<T>& path, const T& t) {
-  const T angle = path.rate * t;
-  const Vec3<T> along = path.k_W.dot(path.u_W) * path.k_W;
-  return along + scalar::cos(angle) * (path.u_W - along) + scalar::sin(angle) * path.k_W.cross(path.u_W);
-}
-
 /// A = (k · u)(k · n), B = u · n − A, C = (k × u) · n.
+/// Proof  derivations/flight_path.cpp, as of all below but the last two.
 template <Field T>
 [[nodiscard]] Wobble<T> wobble(const Stone<T>& stone, const FlightPath<T>& path, const Vec3<T>& n) {
   const T along = formula::dot(path.k_W, path.u_W) * formula::dot(path.k_W, n);
@@ -112,6 +86,16 @@ template <Elementary T>
   return T(slope * scalar::sq(rate) * scalar::sqrt(T(scalar::sq(B) + scalar::sq(C))));
 }
 
+/// The most that it adds to H''   [m/s²]: d Ω² √(B² + C²) + Ω² (B² + C²) r₁/cos³ α, the second where the rim's support
+/// bends most, at the joint.
+/// Proof  derivations/support.cpp.
+template <Elementary T>
+[[nodiscard]] T greatest_lift(const Stone<T>& stone, const T& rate, const T& B, const T& C) {
+  const T ring = stone.bevel_major_radius / (stone.joint_cosine * scalar::sq(stone.joint_cosine));
+  return T(formula::greatest_bend(T(stone.sphere_offset), rate, B, C) +
+           scalar::sq(rate) * (scalar::sq(B) + scalar::sq(C)) * ring);
+}
+
 }  // namespace formula
 
 namespace detail {
@@ -157,13 +141,15 @@ template <Ordered T>
 template <Ordered T>
 class GapAlong {
  public:
-  GapAlong(const T& c0, const T& c1, const T& c2) : c0_(c0), c1_(c1), c2_(c2) { bend_ = c2 < T(0) ? T(-c2) : T(0); }
+  GapAlong(const T& c0, const T& c1, const T& c2)
+      : c0_(c0), c1_(c1), c2_(c2), bend_(scalar::max(T(-c2), T(0))), lift_(scalar::max(c2, T(0))) {}
 
-  /// H'' >= −`bend`: each S is concave in u with |S'| <= d, so it adds at most d Ω² √(B² + C²).
+  /// H'' >= −`bend`: each S is concave in u with |S'| <= d, so it adds at most d Ω² √(B² + C²). H'' <= `lift_`, too.
   void add(const Wobble<T>& part) {
     parts_[static_cast<std::size_t>(count_++)] = part;
     const T swing = scalar::sqrt(T(scalar::sq(part.B) + scalar::sq(part.C)));
     bend_ = bend_ + formula::greatest_bend(part.stone->sphere_offset, part.rate, part.B, part.C);
+    lift_ = lift_ + formula::greatest_lift(*part.stone, part.rate, part.B, part.C);
     is_loose_ = is_loose_ || T(8) * part.stone->bevel_major_radius < part.stone->sphere_offset;
     const T least = magnitude_of(part.A) - swing;
     highest_ = highest_ + support_at(*part.stone, least < T(0) ? T(0) : least);
@@ -181,17 +167,28 @@ class GapAlong {
       const T c = scalar::cos(angle), s = scalar::sin(angle);
       const T u = formula::wobble_at(part, c, s), u_rate = formula::wobble_rate(part, c, s);
       const Direction<T> n = seen(u);
+      // Both are formed and one is taken: which of them it is, is as good as random.
       const bool cap = meets_cap(*part.stone, n);
-      const T& d = part.stone->sphere_offset;
-      value.gap = value.gap - (cap ? formula::cap_support(*part.stone, n.axial, n.radial_square)
-                                   : formula::rim_support(*part.stone, n.radial));
-      // −S' by u · n: d on the cap, on either side.
-      value.rate = value.rate + (cap ? (u < T(0) ? T(-d) : d) : formula::rim_slope(*part.stone, u, n.radial)) * u_rate;
+      const T on_cap = formula::cap_support(*part.stone, n.axial, n.radial_square);
+      const T on_rim = formula::rim_support(*part.stone, n.radial);
+      const T rim_slope = formula::rim_slope(*part.stone, u, n.radial);
+      const T cap_slope =
+          scalar::signed_as(part.stone->sphere_offset, u);  // −S' by u · n: d on the cap, on either side
+      value.gap = value.gap - (cap ? on_cap : on_rim);
+      value.rate = value.rate + (cap ? cap_slope : rim_slope) * u_rate;
     }
     return value;
   }
 
   [[nodiscard]] const T& bend() const { return bend_; }
+
+  /// Whether a root is less than ε/4 of the time behind a safe step from where H falls at that rate. After the step H is at
+  /// most (M + M⁺) s²/2, M⁺ the lift, and falls at a rate of H' + 2 M⁺ s or faster until there.
+  [[nodiscard]] bool ends_within(const T& step, const T& rate, const T& time) const {
+    const T slowest = -(rate + T(2) * lift_ * step);
+    return T(0) < slowest &&
+           (bend_ + lift_) * scalar::sq(step) <= std::numeric_limits<T>::epsilon() / T(2) * time * slowest;
+  }
 
   /// Whether `bend` says little of a thin stone that flies tilted: it has the caps' slope, d, and the rim's is far below.
   [[nodiscard]] bool is_loose() const { return is_loose_; }
@@ -229,7 +226,8 @@ class GapAlong {
   [[nodiscard]] static T support_at(const Stone<T>& stone, const T& u) { return support_value(stone, seen(u)); }
 
   T c0_, c1_, c2_;
-  T bend_ = T(0), highest_ = T(0);
+  T bend_, lift_;
+  T highest_ = T(0);
   bool is_loose_ = false;
   std::array<Wobble<T>, 2> parts_ = {};
   int count_ = 0;
@@ -287,10 +285,11 @@ template <Ordered T>
 }
 
 /// The first time, from `start`, at which the gap along one normal is zero and does not open: a root; the start, if the
-/// bodies touch there; or where the gap comes down to round-off and opens again. At the start it is not below round-off.
+/// bodies touch there; or where the gap comes down to round-off and opens again. Where it may overlap, `overlapping` if it
+/// is below round-off at the start.
 template <Ordered T>
 [[nodiscard]] inline RootSearch<T> first_root(const GapAlong<T>& gap, const T& start, const T& horizon,
-                                              const RoundOff<T>& nothing, int most_steps) {
+                                              const RoundOff<T>& nothing, int most_steps, bool may_overlap = false) {
   T t = start, touch = start;
   bool touched = false;
   for (int steps = 1; steps <= most_steps; ++steps) {
@@ -300,6 +299,9 @@ template <Ordered T>
       return {touched ? ImpactStatus::hit : ImpactStatus::none, touched ? touch : horizon, steps};
     }
     const typename GapAlong<T>::Value now = gap(t);
+    if (may_overlap && now.gap < -nothing.gap && !(start < t)) {
+      return {ImpactStatus::overlapping, t, steps};
+    }
     bool last = false;
     if (nothing.touches(now)) {
       if (!(T(0) < now.gap) || !(start < t)) {
@@ -317,6 +319,9 @@ template <Ordered T>
     const T step =
         gap.is_loose() ? safe_step_within(gap, t, height, now.rate, steps) : safe_step(height, now.rate, gap.bend());
     const T next = t + step;
+    if (next <= horizon && gap.ends_within(step, now.rate, next)) {
+      return hit_or_lost(now, next, sure, steps);
+    }
     if (last || !(t < next)) {
       return hit_or_lost(now, last ? next : t, sure, steps);
     }
@@ -362,8 +367,7 @@ void require_path(const Stone<T>& stone, const FlightPath<T>& path) {
 
 template <Ordered T>
 [[nodiscard]] Placed<T> placed_at(const Stone<T>& stone, const FlightPath<T>& path, const T& t) {
-  const Vec3<T> u = formula::axis_at(path, t);
-  return {.stone = stone, .p_W = formula::centre_at(path, t), .u_W = u / u.norm()};
+  return {.stone = stone, .p_W = formula::centre_at(path, t), .u_W = formula::reunited(formula::axis_at(path, t))};
 }
 
 }  // namespace detail
