@@ -54,8 +54,9 @@ template <Elementary T>
 [[nodiscard]] Quat<T> rotation_exp(const Vec3<T>& theta) {
   const T angle = scalar::sqrt(T(theta.dot(theta) + scalar::tiny<T>()));
   const T half = angle / T(2);
-  const T over = scalar::sin(half) / angle;
-  return Quat<T>(scalar::cos(half), T(over * theta.x()), T(over * theta.y()), T(over * theta.z()));
+  const auto [sine, cosine] = scalar::sincos(half);
+  const T over = sine / angle;
+  return Quat<T>(cosine, T(over * theta.x()), T(over * theta.y()), T(over * theta.z()));
 }
 
 /// The product p q, first q and then p. Component by component: Eigen's own loads as a pair what was just stored one by

@@ -9,8 +9,11 @@
 /// Formulas stand in namespace `goishi::formula`; what stands in `goishi` itself validates, chooses the formula that
 /// fits, evaluates it in the next wider type (`scalar::wider_t`) where that is worth its cost, and rounds once.
 
+#include <array>
 #include <cmath>
 #include <concepts>
+#include <goishi/scalar/arctangent.hpp>
+#include <goishi/scalar/sincos.hpp>
 #include <limits>
 #include <numbers>
 #include <type_traits>
@@ -37,11 +40,10 @@ concept HasElementaryFunctions = requires(const T& x) {
   T(atan2(x, x));
 };
 
+/// Whose sine and cosine are ours: the same bits everywhere. Symbols, balls and 50 digits keep their own.
 template <class T>
-concept SimdBatch = requires {
-  typename T::abi_type;
-  typename T::mask_type;
-};
+concept OwnSine = std::same_as < lane_t<T>,
+float > || std::same_as<lane_t<T>, double>;
 }  // namespace detail
 
 /// False for SIMD batches under clang with AVX-512: there libstdc++'s `where()` silently does nothing and `sin` is
@@ -87,22 +89,58 @@ template <Elementary T>
   return T(sqrt(x));
 }
 
+/// Sine and cosine of one angle   [rad]: as quick as one of them.
+/// Domain  any number; those that are not finite give NaN.   Error  of float, double and batches: <= 0.86 ulp.
+template <Elementary T>
+[[nodiscard]] SineCosine<T> sincos(const T& x) {
+  if constexpr (detail::OwnSine<T>) {
+    return detail::sincos(x);
+  } else {
+    using std::sin, std::cos;
+    return {.sin = T(sin(x)), .cos = T(cos(x))};
+  }
+}
+
+/// Of two angles at once, hardly slower than of one: to the bit what one after the other gives.
+template <Elementary T>
+[[nodiscard]] std::array<SineCosine<T>, 2> sincos(const T& x, const T& y) {
+  if constexpr (std::floating_point<T> && detail::OwnSine<T>) {
+    return detail::sincos(x, y);
+  } else {
+    return {{scalar::sincos(x), scalar::sincos(y)}};
+  }
+}
+
 template <Elementary T>
 [[nodiscard]] T sin(const T& x) {
-  using std::sin;
-  return T(sin(x));
+  if constexpr (detail::OwnSine<T>) {
+    return detail::sincos(x).sin;
+  } else {
+    using std::sin;
+    return T(sin(x));
+  }
 }
 
 template <Elementary T>
 [[nodiscard]] T cos(const T& x) {
-  using std::cos;
-  return T(cos(x));
+  if constexpr (detail::OwnSine<T>) {
+    return detail::sincos(x).cos;
+  } else {
+    using std::cos;
+    return T(cos(x));
+  }
 }
 
+/// The angle of (x, y) from the x axis, −π … π   [rad].
+/// Domain  as of `std::atan2`, zeros and infinities too.   Error  of float, double and batches: <= 2 ulp.
 template <Elementary T>
 [[nodiscard]] T atan2(const T& y, const T& x) {
-  using std::atan2;
-  return T(atan2(y, x));
+  if constexpr (detail::OwnSine<T>) {
+    return detail::own_atan2(y, x);
+  } else {
+    using std::atan2;
+    return T(atan2(y, x));
+  }
 }
 
 /// π in the arithmetic of T: correctly rounded for built-in types, else atan2(0, −1), which is π itself for a symbolic
@@ -111,6 +149,8 @@ template <Elementary T>
 [[nodiscard]] constexpr T pi() {
   if constexpr (std::floating_point<T>) {
     return std::numbers::pi_v<T>;
+  } else if constexpr (detail::SimdBatch<T>) {
+    return T(std::numbers::pi_v<typename T::value_type>);
   } else {
     return scalar::atan2(T(0), T(-1));
   }

@@ -164,7 +164,7 @@ class GapAlong {
     for (int i = 0; i < count_; ++i) {
       const Wobble<T>& part = parts_[static_cast<std::size_t>(i)];
       const T angle = part.rate * t;
-      const T c = scalar::cos(angle), s = scalar::sin(angle);
+      const auto [s, c] = scalar::sincos(angle);
       const T u = formula::wobble_at(part, c, s), u_rate = formula::wobble_rate(part, c, s);
       const Direction<T> n = seen(u);
       // Both are formed and one is taken: which of them it is, is as good as random.
@@ -199,7 +199,8 @@ class GapAlong {
     for (int i = 0; i < count_; ++i) {
       const Wobble<T>& part = parts_[static_cast<std::size_t>(i)];
       const T angle = part.rate * t, swing = scalar::sqrt(T(scalar::sq(part.B) + scalar::sq(part.C)));
-      const T now = magnitude_of(formula::wobble_at(part, scalar::cos(angle), scalar::sin(angle)));
+      const auto [sine, cosine] = scalar::sincos(angle);
+      const T now = magnitude_of(formula::wobble_at(part, cosine, sine));
       const T later = now + swing * magnitude_of(part.rate) * s, most = magnitude_of(part.A) + swing;
       const Direction<T> n = seen(later < most ? later : most);
       const T slope =

@@ -123,7 +123,7 @@ class RimSearch {
   [[nodiscard]] bool go_round() {
     constexpr int parts = 16;
     const T length = T(2) * scalar::pi<T>() / T(parts);
-    const T c = scalar::cos(length), s = scalar::sin(length);
+    const auto [s, c] = scalar::sincos(length);
     const RimPoint start = at(T(1), T(0));
     if (!(T(0) < c1_)) {
       take(start);  // a core that is a point

@@ -70,7 +70,7 @@ template <Ordered T>
   const auto enters = [](const Placed<T>& rim, const auto& in_other, const Vec3<T>& centre) {
     constexpr int points = 24;
     const T step = T(2) * scalar::pi<T>() / T(points);
-    const T c = scalar::cos(step), s = scalar::sin(step);
+    const auto [s, c] = scalar::sincos(step);
     Vec3<T> out = across(rim.u_W);
     bool inside = false;
     for (int i = 0; i < points && !inside; ++i) {

@@ -90,9 +90,9 @@ class Holding {
     const Vec3<T> other = x < T(0.5) ? Vec3<T>(T(1), T(0), T(0)) : Vec3<T>(T(0), T(1), T(0));
     const Vec3<T> a = formula::cross(down, other).normalized(), b = formula::cross(down, a);
     const auto lean = [&](const T& side, const T& angle) {
-      const T s = scalar::sin(angle);
+      const auto [leaning, towards] = scalar::sincos(angle, side);
       body_.gravity =
-          strength_ * (T(scalar::cos(angle)) * down + T(s * scalar::cos(side)) * a + T(s * scalar::sin(side)) * b);
+          strength_ * (leaning.cos * down + T(leaning.sin * towards.cos) * a + T(leaning.sin * towards.sin) * b);
       const bool held = holds();
       body_.gravity = g_;
       return held;

@@ -101,8 +101,8 @@ template <Ordered T>
     for (std::uint32_t k = 0; k < count; ++k) {
       const T angle = T(2) * scalar::pi<T>() * static_cast<T>(k) / static_cast<T>(count);
       const T radius = marks.star_diameter / T(2);
-      stars.points.push_back(
-          {T(middle.x() + radius * scalar::cos(angle)), T(middle.y() + radius * scalar::sin(angle)), T(0)});
+      const auto [s, c] = scalar::sincos(angle);
+      stars.points.push_back({T(middle.x() + radius * c), T(middle.y() + radius * s), T(0)});
       stars.triangles.push_back({centre, centre + 1 + k, centre + 1 + (k + 1) % count});
     }
     stars.normals.resize(stars.points.size(), Vec3<T>(T(0), T(0), T(1)));

@@ -107,7 +107,8 @@ namespace detail {
 template <Ordered T>
 [[nodiscard]] std::array<T, 2> around(int i, int count) {
   const T angle = T(2) * scalar::pi<T>() * static_cast<T>(i) / static_cast<T>(count);
-  return {scalar::cos(angle), scalar::sin(angle)};
+  const auto [s, c] = scalar::sincos(angle);
+  return {c, s};
 }
 
 /// Writes a stone's mesh, from the upper middle down.
@@ -174,7 +175,7 @@ class Tessellator {
     const T t = static_cast<T>(k) / static_cast<T>(n_);
     const int count = around_ring(k);
     T angle = cap_angle_ * t;
-    T sine = scalar::sin(angle), cosine = scalar::cos(angle);
+    auto [sine, cosine] = scalar::sincos(angle);
     for (int j = 0; j < count; ++j) {
       std::array<T, 2> direction = around<T>(j, count);
       if (method_ == Tessellation::subdivision) {
@@ -185,8 +186,9 @@ class Tessellator {
         const T from_axis = scalar::sqrt(T(scalar::sq(place[0]) + scalar::sq(place[1])));
         direction = {T(place[0] / from_axis), T(place[1] / from_axis)};
         angle = cap_angle_ * from_axis;
-        sine = scalar::sin(angle);
-        cosine = scalar::cos(angle);
+        const auto [s, c] = scalar::sincos(angle);
+        sine = s;
+        cosine = c;
       }
       static_cast<void>(vertex(direction[0], direction[1], sine, cosine));
     }
@@ -208,8 +210,9 @@ class Tessellator {
     if (0 < i && i < m_) {
       const T angle =
           scalar::atan2(stone_.joint_sine, stone_.joint_cosine) * static_cast<T>(m_ - 2 * i) / static_cast<T>(m_);
-      cosine = scalar::cos(angle);
-      sine = scalar::sin(angle);
+      const auto [s, c] = scalar::sincos(angle);
+      cosine = c;
+      sine = s;
       radius = stone_.bevel_major_radius + stone_.bevel_minor_radius * cosine;
       height = stone_.bevel_minor_radius * sine;
     } else if (i == m_ && !upper) {

@@ -125,7 +125,8 @@ class JacobiFunctions {
 
   [[nodiscard]] Jacobi<T> operator()(const T& u) const {
     const T angle = mean_ * u;
-    T s = scalar::sin(angle), c = scalar::cos(angle), d(1);
+    auto [s, c] = scalar::sincos(angle);
+    T d(1);
     for (std::size_t i = levels_; i-- > 0;) {
       const T s2 = s * s, c2 = c * c;
       const T over = T(1) / (T(1) + k_[i] * s2);

@@ -106,7 +106,8 @@ template <Field T>
 template <Elementary T>
 [[nodiscard]] Quat<T> turned_about_momentum(const Quat<T>& q_WB, const Quat<T>& q_BF, const Quat<T>& start_S,
                                             const T& psi, const Quat<T>& end_S) {
-  const Quat<T> turn(scalar::cos(T(psi / T(2))), T(0), T(0), scalar::sin(T(psi / T(2))));
+  const auto [s, c] = scalar::sincos(T(psi / T(2)));
+  const Quat<T> turn(c, T(0), T(0), s);
   return q_WB * (q_BF * start_S.conjugate() * turn * end_S * q_BF.conjugate());
 }
 
@@ -231,8 +232,9 @@ template <Ordered T>
   const Wide across = scalar::sq(L_B[(k + 1) % 3]) + scalar::sq(L_B[(k + 2) % 3]);
   if (!(scalar::tiny<Wide>() < scalar::sq(std::numeric_limits<Wide>::epsilon()) * across)) {
     const Wide half = L_B[k] * time / (Wide(2) * I[k]);
-    Quat<Wide> turn(scalar::cos(half), Wide(0), Wide(0), Wide(0));
-    turn.vec()[k] = scalar::sin(half);
+    const auto [sine, cosine] = scalar::sincos(half);
+    Quat<Wide> turn(cosine, Wide(0), Wide(0), Wide(0));
+    turn.vec()[k] = sine;
     return (q * turn).template cast<T>();
   }
   return asymmetric_rotation(q, jacobi_frame(I, L_B), time).template cast<T>();

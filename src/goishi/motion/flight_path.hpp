@@ -33,14 +33,26 @@ template <Field T>
           T(path.p_W.z() + t * (path.v_W.z() + half * path.a_W.z()))};
 }
 
-/// The axis at the time t: u turned about k by Ωt (Rodrigues).
+/// The axis turned about k by the angle of this sine and cosine (Rodrigues).
+template <Field T>
+[[nodiscard]] inline Vec3<T> axis_turned(const FlightPath<T>& path, const scalar::SineCosine<T>& turn) {
+  const Vec3<T> along = formula::scaled(formula::dot(path.k_W, path.u_W), path.k_W);
+  return formula::plus(along, formula::combination(turn.cos, formula::minus(path.u_W, along), turn.sin,
+                                                   formula::cross(path.k_W, path.u_W)));
+}
+
+/// The axis at the time t: u turned about k by Ωt.
 template <Elementary T>
 [[nodiscard]] inline Vec3<T> axis_at(const FlightPath<T>& path, const T& t) {
-  const T angle = path.rate * t;
-  const Vec3<T> along = formula::scaled(formula::dot(path.k_W, path.u_W), path.k_W);
-  const Vec3<T> turning = formula::combination(scalar::cos(angle), formula::minus(path.u_W, along), scalar::sin(angle),
-                                               formula::cross(path.k_W, path.u_W));
-  return formula::plus(along, turning);
+  return formula::axis_turned(path, scalar::sincos(T(path.rate * t)));
+}
+
+/// Sine and cosine of an angle that is greater by δ, to O(δ³): their Taylor polynomials.
+template <Field T>
+[[nodiscard]] inline scalar::SineCosine<T> turned_on(const scalar::SineCosine<T>& turn, const T& delta) {
+  const T half = delta / T(2);
+  return {.sin = T(turn.sin + delta * (turn.cos - half * turn.sin)),
+          .cos = T(turn.cos - delta * (turn.sin + half * turn.cos))};
 }
 
 }  // namespace formula

@@ -51,7 +51,7 @@ template <Elementary T>
                                     const TopRates<T>& rates, const T& t) {
   const Quat<T> q = formula::reunited(q_WB);  // so that no chain of flights leaves the unit sphere
   const T half_spin = axial_momentum * (t * rates.spin) / T(2);
-  const T c = scalar::cos(half_spin), s = scalar::sin(half_spin);
+  const auto [s, c] = scalar::sincos(half_spin);
   const Quat<T> spun(T(c * q.w() - s * q.z()), T(c * q.x() + s * q.y()), T(c * q.y() - s * q.x()),
                      T(c * q.z() + s * q.w()));
   const T time = t * rates.precession;

@@ -120,7 +120,7 @@ template <int i, Elementary T>
 void turn_about(Rotor<T>& rotor, const Vec3<T>& inverse_moments, const T& dt) {
   constexpr int j = (i + 1) % 3, k = (i + 2) % 3;
   const T half = rotor.L_B[i] * inverse_moments[i] * dt / T(2);
-  const T c = scalar::cos(half), s = scalar::sin(half);
+  const auto [s, c] = scalar::sincos(half);
   const T cosine = T(1) - T(2) * scalar::sq(s), sine = T(2) * s * c;
   const T L_j = rotor.L_B[j], L_k = rotor.L_B[k];
   rotor.L_B[j] = cosine * L_j + sine * L_k;

@@ -24,7 +24,7 @@ template <Elementary T>
 template <Elementary T>
 [[nodiscard]] Quat<T> carried_attitude(const Vec3<T>& a, const Quat<T>& q_a, const Vec3<T>& u, const T& spin) {
   const Quat<T> q = formula::product(formula::shortest_rotation(a, u), q_a);
-  const T half = spin / T(2), c = scalar::cos(half), s = scalar::sin(half);
+  const auto [s, c] = scalar::sincos(T(spin / T(2)));
   return Quat<T>(T(q.w() * c - q.z() * s), T(q.x() * c + q.y() * s), T(q.y() * c - q.x() * s),
                  T(q.z() * c + q.w() * s));
 }

@@ -113,7 +113,8 @@ class Sliding {
   [[nodiscard]] Variables<T> inner_rates(const Variables<T>& y) {
     ++evaluations;
     const StageMotion<T> motion = stage_motion(body_, feature_, y);
-    const T phi = y[at::direction], c = scalar::cos(phi), s = scalar::sin(phi), sigma = y[at::slip];
+    const auto [s, c] = scalar::sincos(y[at::direction]);
+    const T sigma = y[at::slip];
     const SlipRate<T> slip = formula::stage_slip(body_.mobility, motion, body_.friction, c, s);
     see_jam(slip, formula::stage_stiffness(body_.mobility, motion));
     Variables<T> rate = inner_rates(motion, slip, c, s, sigma);
@@ -134,19 +135,19 @@ class Sliding {
     ++evaluations;
     const StageMotion<T> motion = stage_motion(body_, feature_, stage);
     const T sigma = stage[at::slip], W_zz = formula::stage_stiffness(body_.mobility, motion);
-    T c(1), s(0), turn = k[at::direction];
+    T turn = k[at::direction];
+    scalar::SineCosine<T> direction{.sin = T(0), .cos = T(1)};
     SlipRate<T> slip;
     const auto look = [&](const T phi) {  // a copy, so that both are one call
-      c = scalar::cos(phi);
-      s = scalar::sin(phi);
-      slip = formula::stage_slip(body_.mobility, motion, body_.friction, c, s);
+      direction = scalar::sincos(phi);
+      slip = formula::stage_slip(body_.mobility, motion, body_.friction, direction.cos, direction.sin);
     };
     if (!solve(sigma, stage[at::direction], reach, turn, slip, look, W_zz)) {
       return false;
     }
     see_jam(slip, W_zz);
     stage[at::direction] = stage[at::direction] + reach * turn;
-    k = inner_rates(motion, slip, c, s, sigma);
+    k = inner_rates(motion, slip, direction.cos, direction.sin, sigma);
     k[at::direction] = turn;
     return true;
   }
@@ -182,8 +183,9 @@ class Sliding {
 
   void direct(const T phi) {  // a copy, so that both are one call
     phi_ = phi;
-    c_ = scalar::cos(phi);
-    s_ = scalar::sin(phi);
+    const auto [s, c] = scalar::sincos(phi);
+    c_ = c;
+    s_ = s;
     slip_ = formula::slip_rate(now.W, now.brake, now.need, body_.friction, c_, s_);
   }
 

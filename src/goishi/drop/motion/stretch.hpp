@@ -31,7 +31,8 @@ struct ContactFrame {
 template <Ordered T>
 [[nodiscard]] std::array<T, 2> slip_of(ContactMode mode, const Variables<T>& y) {
   if (mode == ContactMode::sliding) {
-    return {T(y[at::slip] * scalar::cos(y[at::direction])), T(y[at::slip] * scalar::sin(y[at::direction]))};
+    const auto [s, c] = scalar::sincos(y[at::direction]);
+    return {T(y[at::slip] * c), T(y[at::slip] * s)};
   }
   return {y[at::slip], y[at::direction]};
 }

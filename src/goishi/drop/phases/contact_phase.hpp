@@ -212,7 +212,8 @@ class ContactPhase {
   }
 
   [[nodiscard]] static SlipRate<T> slip_towards(const ContactBody<T>& body, const Kinetics<T>& now, const T& phi) {
-    return formula::slip_rate(now.W, now.brake, now.need, body.friction, T(scalar::cos(phi)), T(scalar::sin(phi)));
+    const auto [s, c] = scalar::sincos(phi);
+    return formula::slip_rate(now.W, now.brake, now.need, body.friction, c, s);
   }
 
   /// From a first guess: the direction in which a slip that begins goes on, its rate pointing along it. False where no
