@@ -51,6 +51,18 @@ rate $\Omega$: by the quaternion $(C, S k)$, $C$ and $S$ for cosine and sine of 
                                  .view = [&](const ex& e) { return path.by_halves(e); },
                                  .controls = {axis(path.path), axis(about_u)}}));
 
+  document.shipped("formula::turned_on", "motion/flight_path.hpp");
+  const realsymbol delta("delta", R"(\delta)"), a("a"), cos_a("ca", R"(\cos a)"), sin_a("sa", R"(\sin a)");
+  const auto turned_on = formula::turned_on<ex>({.sin = sin_a, .cos = cos_a}, delta);
+  const auto taylor = [&](const ex& function) {
+    const ex series = GiNaC::series_to_poly(function.series(delta == 0, 3));
+    return series.subs(exmap{{cos(a), cos_a}, {sin(a), sin_a}});
+  };
+  document.prove({.text = R"($\sin(a + \delta)$ up to the order $\delta^2$)",
+                  .result = turned_on.sin,
+                  .witness = taylor(sin(a + delta))});
+  document.prove({.text = R"($\cos(a + \delta)$)", .result = turned_on.cos, .witness = taylor(cos(a + delta))});
+
   document.text(
       R"(Of the free flight of a top (chapter *Free flight*): with $k$ the direction of $L$, $u$ the symmetry axis and $\Omega =
 |L|/I_t$.)");

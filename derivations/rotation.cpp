@@ -161,6 +161,11 @@ void unit_again(Document& document) {
       {.text = "a unit quaternion stays", .result = result, .witness = components(u), .view = [&](const ex& e) {
          return near(e).subs(delta == 0);
        }}));
+  const Vector n = letters("n");
+  const ex vector = components(formula::reunited(Vector((1 + delta) * n)));
+  document.prove(Relations().unit(n)({.text = "and so of a vector",
+                                      .result = vector,
+                                      .witness = (1 - 3 * pow(delta, 2) / 2 - pow(delta, 3) / 2) * components(n)}));
 }
 
 void axis(Document& document) {

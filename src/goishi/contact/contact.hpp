@@ -181,7 +181,7 @@ template <Ordered T>
   const T axial = formula::dot(u_W, n_W);
   SeenNormal<T> seen{.signed_axial = axial, .radial_part = formula::plus(n_W, T(-axial), u_W), .direction = {}};
   const T square = formula::dot(seen.radial_part, seen.radial_part);
-  seen.direction = {.axial = axial < T(0) ? T(-axial) : axial, .radial = scalar::sqrt(square), .radial_square = square};
+  seen.direction = {.axial = scalar::abs(axial), .radial = scalar::sqrt(square), .radial_square = square};
   return seen;
 }
 
@@ -207,7 +207,7 @@ template <Ordered T>
   const T height = formula::cap_support_height(stone, n.axial, n.radial_square);
   const T ring = formula::rim_support_reach(stone, n.radial);
   const T across = cap ? stone.sphere_radius : ring;
-  const T along = cap ? (upper ? height : T(-height)) : T(stone.bevel_minor_radius * seen.signed_axial);
+  const T along = cap ? scalar::signed_as(height, seen.signed_axial) : T(stone.bevel_minor_radius * seen.signed_axial);
   const Feature on_cap = upper ? Feature::upper_cap : Feature::lower_cap;
   return {.x_W = formula::combination(across, seen.radial_part, along, u_W), .feature = cap ? on_cap : Feature::rim};
 }

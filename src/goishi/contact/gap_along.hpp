@@ -100,11 +100,6 @@ template <Elementary T>
 
 namespace detail {
 
-template <Ordered T>
-[[nodiscard]] T magnitude_of(const T& x) {
-  return x < T(0) ? T(-x) : x;
-}
-
 /// The first time at which H + H' s + c s²/2 is 0, from H > 0, given H'² − 2 c H; infinity if it never is.
 template <Ordered T>
 [[nodiscard]] T falling_time_by(const T& square, const T& height, const T& rate, const T& c) {
@@ -122,7 +117,7 @@ template <Ordered T>
 /// The same of numbers whose squares are lost: in another unit of length.
 template <Ordered T>
 [[gnu::noinline]] [[nodiscard]] T falling_time_of_little(T height, T rate, T c) {
-  if (height < T(1) && magnitude_of(rate) < T(1) && magnitude_of(c) < T(1)) {
+  if (height < T(1) && scalar::abs(rate) < T(1) && scalar::abs(c) < T(1)) {
     for (T* length : {&height, &rate, &c}) {
       *length = Squares<T>::larger * *length;
     }
@@ -133,8 +128,8 @@ template <Ordered T>
 template <Ordered T>
 [[gnu::always_inline]] [[nodiscard]] inline T falling_time(const T& height, const T& rate, const T& c) {
   const T square = formula::falling_square(height, rate, c);
-  return magnitude_of(square) < Squares<T>::vanished ? falling_time_of_little(height, rate, c)
-                                                     : falling_time_by(square, height, rate, c);
+  return scalar::abs(square) < Squares<T>::vanished ? falling_time_of_little(height, rate, c)
+                                                    : falling_time_by(square, height, rate, c);
 }
 
 /// The gap along a fixed normal as a function of time: H(t) = c₀ + c₁ t + c₂ t²/2 − Σ S(u(t)).
@@ -147,35 +142,34 @@ class GapAlong {
   /// H'' >= −`bend`: each S is concave in u with |S'| <= d, so it adds at most d Ω² √(B² + C²). H'' <= `lift_`, too.
   void add(const Wobble<T>& part) {
     parts_[static_cast<std::size_t>(count_++)] = part;
-    const T swing = scalar::sqrt(T(scalar::sq(part.B) + scalar::sq(part.C)));
     bend_ = bend_ + formula::greatest_bend(part.stone->sphere_offset, part.rate, part.B, part.C);
     lift_ = lift_ + formula::greatest_lift(*part.stone, part.rate, part.B, part.C);
     is_loose_ = is_loose_ || T(8) * part.stone->bevel_major_radius < part.stone->sphere_offset;
-    const T least = magnitude_of(part.A) - swing;
-    highest_ = highest_ + support_at(*part.stone, least < T(0) ? T(0) : least);
+    const T swing = scalar::sqrt(T(scalar::sq(part.B) + scalar::sq(part.C)));
+    const T least = scalar::abs(part.A) - swing;
+    highest_ = highest_ + support_at(*part.stone, scalar::max(least, T(0)));
   }
 
   struct Value {
     T gap, rate;
+    scalar::SineCosine<T> turn;  // of the last stone
   };
 
   [[nodiscard]] Value operator()(const T& t) const {
-    Value value{formula::parabola(c0_, c1_, c2_, t), formula::parabola_rate(c1_, c2_, t)};
+    Value value{formula::parabola(c0_, c1_, c2_, t), formula::parabola_rate(c1_, c2_, t), {T(0), T(1)}};
     for (int i = 0; i < count_; ++i) {
       const Wobble<T>& part = parts_[static_cast<std::size_t>(i)];
-      const T angle = part.rate * t;
-      const auto [s, c] = scalar::sincos(angle);
+      value.turn = scalar::sincos(T(part.rate * t));
+      const auto& [s, c] = value.turn;
       const T u = formula::wobble_at(part, c, s), u_rate = formula::wobble_rate(part, c, s);
       const Direction<T> n = seen(u);
-      // Both are formed and one is taken: which of them it is, is as good as random.
-      const bool cap = meets_cap(*part.stone, n);
-      const T on_cap = formula::cap_support(*part.stone, n.axial, n.radial_square);
-      const T on_rim = formula::rim_support(*part.stone, n.radial);
-      const T rim_slope = formula::rim_slope(*part.stone, u, n.radial);
-      const T cap_slope =
-          scalar::signed_as(part.stone->sphere_offset, u);  // −S' by u · n: d on the cap, on either side
-      value.gap = value.gap - (cap ? on_cap : on_rim);
-      value.rate = value.rate + (cap ? cap_slope : rim_slope) * u_rate;
+      const Stone<T>& stone = *part.stone;
+      const bool cap = meets_cap(stone, n);
+      value.gap = value.gap -
+                  (cap ? formula::cap_support(stone, n.axial, n.radial_square) : formula::rim_support(stone, n.radial));
+      // −S' by u · n: d on the cap, on either side.
+      const T slope = cap ? scalar::signed_as(stone.sphere_offset, u) : formula::rim_slope(stone, u, n.radial);
+      value.rate = value.rate + slope * u_rate;
     }
     return value;
   }
@@ -195,14 +189,14 @@ class GapAlong {
 
   /// A bound of −H'' from t to t + s: as `bend`, by the slopes that the axis comes to in that time.
   [[nodiscard]] T bend_within(const T& t, const T& s) const {
-    T bend = c2_ < T(0) ? T(-c2_) : T(0);
+    T bend = scalar::max(T(-c2_), T(0));
     for (int i = 0; i < count_; ++i) {
       const Wobble<T>& part = parts_[static_cast<std::size_t>(i)];
       const T angle = part.rate * t, swing = scalar::sqrt(T(scalar::sq(part.B) + scalar::sq(part.C)));
       const auto [sine, cosine] = scalar::sincos(angle);
-      const T now = magnitude_of(formula::wobble_at(part, cosine, sine));
-      const T later = now + swing * magnitude_of(part.rate) * s, most = magnitude_of(part.A) + swing;
-      const Direction<T> n = seen(later < most ? later : most);
+      const T now = scalar::abs(formula::wobble_at(part, cosine, sine));
+      const T later = now + swing * scalar::abs(part.rate) * s, most = scalar::abs(part.A) + swing;
+      const Direction<T> n = seen(scalar::min(later, most));
       const T slope =
           meets_cap(*part.stone, n) ? part.stone->sphere_offset : formula::rim_slope(*part.stone, n.axial, n.radial);
       bend = bend + formula::greatest_bend(slope, part.rate, part.B, part.C);
@@ -219,9 +213,9 @@ class GapAlong {
 
  private:
   [[nodiscard]] static Direction<T> seen(const T& u) {
-    const T m = magnitude_of(u);
+    const T m = scalar::abs(u);
     const T square = (T(1) - m) * (T(1) + m);
-    const T safe = square < T(0) ? T(0) : square;
+    const T safe = scalar::max(square, T(0));
     return {.axial = m, .radial = scalar::sqrt(safe), .radial_square = safe};
   }
   [[nodiscard]] static T support_at(const Stone<T>& stone, const T& u) { return support_value(stone, seen(u)); }
@@ -264,6 +258,8 @@ struct RootSearch {
   ImpactStatus status;
   T time;
   int steps;
+  T seen_at;                     // when the gap was asked for last
+  scalar::SineCosine<T> turned;  // how far the last stone had turned by then
 };
 
 /// What counts as nothing: of a gap [m] and of its rate [m/s], their round-off.
@@ -277,14 +273,6 @@ struct RoundOff {
   }
 };
 
-/// A hit at t; of a gap that T cannot hold, at a time so late, only that nothing touches until the step before.
-template <Ordered T>
-[[nodiscard]] inline RootSearch<T> hit_or_lost(const typename GapAlong<T>::Value& now, const T& t, const T& sure,
-                                               int steps) {
-  return scalar::is_finite(now.gap) ? RootSearch<T>{ImpactStatus::hit, t, steps}
-                                    : RootSearch<T>{ImpactStatus::not_converged, sure, steps};
-}
-
 /// The first time, from `start`, at which the gap along one normal is zero and does not open: a root; the start, if the
 /// bodies touch there; or where the gap comes down to round-off and opens again. Where it may overlap, `overlapping` if it
 /// is below round-off at the start.
@@ -293,48 +281,55 @@ template <Ordered T>
                                               const RoundOff<T>& nothing, int most_steps, bool may_overlap = false) {
   T t = start, touch = start;
   bool touched = false;
+  typename GapAlong<T>::Value now{};
   for (int steps = 1; steps <= most_steps; ++steps) {
     const T sure = t;
     t = gap.within_reach(t, nothing.gap);
     if (!(t <= horizon) || !scalar::is_finite(t)) {
-      return {touched ? ImpactStatus::hit : ImpactStatus::none, touched ? touch : horizon, steps};
+      return {touched ? ImpactStatus::hit : ImpactStatus::none, touched ? touch : horizon, steps, sure, now.turn};
     }
-    const typename GapAlong<T>::Value now = gap(t);
+    now = gap(t);
+    // A hit at a time; of a gap that T cannot hold, when it is so late, only that nothing touches until the step before.
+    const auto hit = [&](const T& when) {
+      const bool known = scalar::is_finite(now.gap);
+      return RootSearch<T>{known ? ImpactStatus::hit : ImpactStatus::not_converged, known ? when : sure, steps, t,
+                           now.turn};
+    };
     if (may_overlap && now.gap < -nothing.gap && !(start < t)) {
-      return {ImpactStatus::overlapping, t, steps};
+      return {ImpactStatus::overlapping, t, steps, t, now.turn};
     }
     bool last = false;
     if (nothing.touches(now)) {
       if (!(T(0) < now.gap) || !(start < t)) {
-        return hit_or_lost(now, t, sure, steps);
+        return hit(t);
       }
       // So fast that what is left of the way takes a time that is round-off.
       last = T(512) * std::numeric_limits<T>::epsilon() * now.rate < -nothing.rate;
       touched = true;
       touch = t;
     } else if (touched) {
-      return {ImpactStatus::hit, touch, steps};
+      return hit(touch);
     }
     // On the surface and leaving it: the step is what it takes for the gap to come back at the earliest.
-    const T height = T(0) < now.gap ? now.gap : T(0);
+    const T height = scalar::max(now.gap, T(0));
     const T step =
         gap.is_loose() ? safe_step_within(gap, t, height, now.rate, steps) : safe_step(height, now.rate, gap.bend());
     const T next = t + step;
-    if (next <= horizon && gap.ends_within(step, now.rate, next)) {
-      return hit_or_lost(now, next, sure, steps);
+    if (last || (next <= horizon && gap.ends_within(step, now.rate, next))) {
+      return hit(next);
     }
-    if (last || !(t < next)) {
-      return hit_or_lost(now, last ? next : t, sure, steps);
+    if (!(t < next)) {
+      return hit(t);
     }
     t = next;
   }
-  return {ImpactStatus::not_converged, t, most_steps};
+  return {ImpactStatus::not_converged, t, most_steps, t, now.turn};
 }
 
 /// |x| + |y| + |z|.
 template <Ordered T>
 [[nodiscard]] T size_of(const Vec3<T>& v) {
-  return magnitude_of(T(v.x())) + magnitude_of(T(v.y())) + magnitude_of(T(v.z()));
+  return scalar::abs(T(v.x())) + scalar::abs(T(v.y())) + scalar::abs(T(v.z()));
 }
 
 /// Says what is wrong with a path that `require_path` does not take.
@@ -354,21 +349,39 @@ template <Ordered T>
 
 /// Refuses a flight of numbers whose squares T cannot hold: from √max/16 on.
 template <Ordered T>
-void require_path(const Stone<T>& stone, const FlightPath<T>& path) {
+inline void require_path(const Stone<T>& stone, const FlightPath<T>& path) {
   const T& most = Squares<T>::most;
   const T& r = stone.sphere_radius;
-  require_stone(stone);
-  if (!(size_of(path.p_W) < most && size_of(path.v_W) < most && size_of(path.a_W) < most && r < most &&
-        r * scalar::sq(path.rate) < most)) [[unlikely]] {
-    refuse_path(stone, path);
+  const bool held = (size_of(path.p_W) < most) & (size_of(path.v_W) < most) & (size_of(path.a_W) < most) & (r < most) &
+                    (r * scalar::sq(path.rate) < most);
+  if (!((T(0) < stone.height) & held & is_unit(path.u_W) & is_unit(path.k_W))) [[unlikely]] {
+    require_stone(stone);
+    if (!held) {
+      refuse_path(stone, path);
+    }
+    require_direction(path.u_W, "axis");
+    require_direction(path.k_W, "precession axis");
   }
-  require_direction(path.u_W, "axis");
-  require_direction(path.k_W, "precession axis");
 }
 
 template <Ordered T>
+[[nodiscard]] inline Placed<T> placed_at(const Stone<T>& stone, const FlightPath<T>& path, const T& t,
+                                         const scalar::SineCosine<T>& turn) {
+  return {
+      .stone = stone, .p_W = formula::centre_at(path, t), .u_W = formula::reunited(formula::axis_turned(path, turn))};
+}
+template <Ordered T>
 [[nodiscard]] Placed<T> placed_at(const Stone<T>& stone, const FlightPath<T>& path, const T& t) {
-  return {.stone = stone, .p_W = formula::centre_at(path, t), .u_W = formula::reunited(formula::axis_at(path, t))};
+  return placed_at(stone, path, t, scalar::sincos(T(path.rate * t)));
+}
+
+/// The same at a root, mostly by the little that it has turned since it was seen.
+template <Ordered T>
+[[nodiscard]] inline Placed<T> placed_at(const Stone<T>& stone, const FlightPath<T>& path, const RootSearch<T>& root) {
+  const T since = path.rate * (root.time - root.seen_at);
+  const bool little = scalar::abs(since) * scalar::sq(since) < std::numeric_limits<T>::epsilon();
+  return little ? placed_at(stone, path, root.time, formula::turned_on(root.turned, since))
+                : placed_at(stone, path, root.time);
 }
 
 }  // namespace detail

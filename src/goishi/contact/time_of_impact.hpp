@@ -71,7 +71,7 @@ template <Ordered T>
 [[nodiscard]] RoundOff<T> round_off_of(const Stone<T>& stone, const FlightPath<T>& path, int some) {
   const T epsilon = std::numeric_limits<T>::epsilon(), width = outer_width(stone);
   return {.gap = epsilon * (T(some) * width + T(8) * size_of(path.p_W)),
-          .rate = epsilon * T(some) * (size_of(path.v_W) + magnitude_of(path.rate) * width)};
+          .rate = epsilon * T(some) * (size_of(path.v_W) + scalar::abs(path.rate) * width)};
 }
 
 template <Ordered T>
@@ -102,26 +102,24 @@ template <Ordered T>
                                              const T& horizon) {
   detail::require_path(stone, path);
   detail::require_direction(plane.n_W);
-  require(detail::magnitude_of(plane.offset) < detail::Squares<T>::most, "offset", plane.offset,
+  require(scalar::abs(plane.offset) < detail::Squares<T>::most, "offset", plane.offset,
           "must be finite, and so must the square of 16 times it");
   require(T(0) < horizon, "horizon", horizon, "must be positive");
   detail::RoundOff<T> nothing = detail::round_off_of(stone, path, 8);
-  nothing.gap = nothing.gap + T(8) * std::numeric_limits<T>::epsilon() * detail::magnitude_of(plane.offset);
+  nothing.gap = nothing.gap + T(8) * std::numeric_limits<T>::epsilon() * scalar::abs(plane.offset);
   const detail::GapAlong<T> gap = detail::gap_along(stone, path, plane.n_W, plane.offset);
-  TimeOfImpact<T> result;
-  const auto contact_at = [&](const T& t) {
-    return detail::separation_along(detail::placed_at(stone, path, t), plane.n_W, plane.offset);
-  };
   const detail::RootSearch<T> root = detail::first_root(gap, T(0), horizon, nothing, detail::most_root_steps, true);
-  result.status = root.status;
-  result.time = root.time;
-  result.steps = root.steps;
-  if (root.status == ImpactStatus::hit || root.status == ImpactStatus::overlapping) {
-    result.separations = 1;
-    result.contact = contact_at(root.time);
-    if (!scalar::is_finite(result.contact.gap)) [[unlikely]] {
-      result.status = ImpactStatus::not_converged;  // so late that T cannot tell where the stone is
-    }
+  if (root.status != ImpactStatus::hit && root.status != ImpactStatus::overlapping) [[unlikely]] {
+    return {.status = root.status, .time = root.time, .contact = {}, .steps = root.steps};
+  }
+  TimeOfImpact<T> result{
+      .status = root.status,
+      .time = root.time,
+      .contact = detail::separation_along(detail::placed_at(stone, path, root), plane.n_W, plane.offset),
+      .steps = root.steps,
+      .separations = 1};
+  if (!scalar::is_finite(result.contact.gap)) [[unlikely]] {
+    result.status = ImpactStatus::not_converged;  // so late that T cannot tell where the stone is
   }
   return result;
 }

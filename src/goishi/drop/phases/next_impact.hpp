@@ -35,7 +35,7 @@ template <Ordered T>
 [[nodiscard]] T opening_time(const Run<T>& run) {
   const FlightPath<T> path = path_of(run.state, run.rates, run.settings.gravity);
   const GapAlong<T> gap = gap_along(run.stone, path, Vec3<T>(T(0), T(0), T(1)), run.level);
-  const T sure = T(512) * std::numeric_limits<T>::epsilon() * (outer_width(run.stone) + magnitude_of(run.level));
+  const T sure = T(512) * std::numeric_limits<T>::epsilon() * (outer_width(run.stone) + scalar::abs(run.level));
   const T unit = T(1) / run.scales.frequency;
   T closed(0);
   for (T t = T(2e-7) * unit; t < T(0.25) * unit; t = T(2) * t) {
