@@ -146,6 +146,7 @@ Numbers elementary_motion_formulas() {
   Numbers numbers;
   const Example<T> e;
   numbers.add(formula::rotation_exp(e.w));
+  numbers.add(formula::turned_top(e.q, e.w, T(5), e.dt));
   numbers.add(formula::free_rotation(e.q, e.state.L_W, T(5), e.rates, e.dt));
   numbers.add(formula::free_flight(e.state, e.rates, e.gravity, e.dt));
   numbers.add(formula::exponential_euler_attitude(e.q, e.w, e.dt));

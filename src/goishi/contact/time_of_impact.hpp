@@ -168,4 +168,22 @@ template <Ordered T>
       });
 }
 
+/// The same of a stone in the state in which it is, with its moments or rates as `free_flight` takes them; `other` is a
+/// plane or the board.
+/// Domain  that of `free_flight`, and as above.
+template <Ordered T, class Turning, class Other>
+[[nodiscard]] TimeOfImpact<T> time_of_impact(const Stone<T>& stone, const State<T>& state, const Turning& turning,
+                                             const Vec3<T>& gravity, const Other& other, const T& horizon) {
+  return time_of_impact(stone, path_of(state, turning, gravity), other, horizon);
+}
+
+/// And of two stones.
+template <Ordered T, class Turning>
+[[nodiscard]] TimeOfImpact<T> time_of_impact(const Stone<T>& stone, const State<T>& state, const Turning& turning,
+                                             const Stone<T>& other, const State<T>& other_state,
+                                             const Turning& other_turning, const Vec3<T>& gravity, const T& horizon) {
+  return time_of_impact(stone, path_of(state, turning, gravity), other, path_of(other_state, other_turning, gravity),
+                        horizon);
+}
+
 }  // namespace goishi

@@ -72,4 +72,10 @@ template <Ordered T>
   return path;
 }
 
+/// The same, from the moments.
+template <Ordered T>
+[[nodiscard]] FlightPath<T> path_of(const State<T>& state, const Moments<T>& moments, const Vec3<T>& gravity) {
+  return path_of(state, make_top_rates(moments), gravity);
+}
+
 }  // namespace goishi
