@@ -2,7 +2,7 @@
 /// A stone in free flight as contact sees it: centre and axis, the gap along a normal as a function of time, and its
 /// first zero.
 
-#include <goishi/contact/flight_path.hpp>
+#include <goishi/contact/gap_along.hpp>
 
 #include "moving.hpp"
 
@@ -31,11 +31,11 @@ void motion(Document& document, const Path& path) {
   document.text(
       R"(The centre is on a parabola, $p + v t + \frac12 a t^2$. The axis $u$ turns about the direction $k$, $|k| = 1$, at the
 rate $\Omega$: by the quaternion $(C, S k)$, $C$ and $S$ for cosine and sine of $\Omega t/2$.)");
-  document.shipped("formula::centre_at", "contact/flight_path.hpp");
+  document.shipped("formula::centre_at", "motion/flight_path.hpp");
   document.prove({.text = "the centre",
                   .result = components(formula::centre_at<ex>(path.path, path.t)),
                   .witness = components(Vector(path.p + path.t * path.v + path.t * path.t / 2 * path.a))});
-  document.shipped("formula::axis_at", "contact/flight_path.hpp");
+  document.shipped("formula::axis_at", "motion/flight_path.hpp");
   const auto axis = [&](const goishi::FlightPath<ex>& of) { return components(formula::axis_at<ex>(of, path.t)); };
   goishi::FlightPath<ex> back = path.path, about_u = path.path;
   back.k_W = -path.k;
@@ -50,6 +50,18 @@ rate $\Omega$: by the quaternion $(C, S k)$, $C$ and $S$ for cosine and sine of 
                                  .witness = components(turned(quaternion(path.C, Vector(-path.S * path.k)), path.u)),
                                  .view = [&](const ex& e) { return path.by_halves(e); },
                                  .controls = {axis(path.path), axis(about_u)}}));
+
+  document.shipped("formula::turned_on", "motion/flight_path.hpp");
+  const realsymbol delta("delta", R"(\delta)"), a("a"), cos_a("ca", R"(\cos a)"), sin_a("sa", R"(\sin a)");
+  const auto turned_on = formula::turned_on<ex>({.sin = sin_a, .cos = cos_a}, delta);
+  const auto taylor = [&](const ex& function) {
+    const ex series = GiNaC::series_to_poly(function.series(delta == 0, 3));
+    return series.subs(exmap{{cos(a), cos_a}, {sin(a), sin_a}});
+  };
+  document.prove({.text = R"($\sin(a + \delta)$ up to the order $\delta^2$)",
+                  .result = turned_on.sin,
+                  .witness = taylor(sin(a + delta))});
+  document.prove({.text = R"($\cos(a + \delta)$)", .result = turned_on.cos, .witness = taylor(cos(a + delta))});
 
   document.text(
       R"(Of the free flight of a top (chapter *Free flight*): with $k$ the direction of $L$, $u$ the symmetry axis and $\Omega =
@@ -78,25 +90,25 @@ void gap(Document& document, const Path& path) {
   document.text(
       R"(To $n$ the axis stands as $u(t) \cdot n = A + B \cos\Omega t + C \sin\Omega t$, and over a plane the centre is at a
 height $c_0 + c_1 t + \frac12 c_2 t^2$.)");
-  document.shipped("formula::wobble", "contact/flight_path.hpp");
+  document.shipped("formula::wobble", "contact/gap_along.hpp");
   const Vector n = letters("n");
   const goishi::Stone<ex> stone;
   const goishi::Wobble<ex> part = formula::wobble<ex>(stone, path.path, n);
   const ex along = formula::wobble_at<ex>(part, path.cosine, path.sine);
   document.check("the wobble is of the stone that was given", part.stone == &stone);
-  document.shipped("formula::wobble_at", "contact/flight_path.hpp");
+  document.shipped("formula::wobble_at", "contact/gap_along.hpp");
   document.prove(path.relations({.text = R"(it is $u(t) \cdot n$)",
                                  .result = along,
                                  .witness = path.turned_axis().dot(n),
                                  .view = [&](const ex& e) { return path.by_halves(e); }}));
-  document.shipped("formula::wobble_rate", "contact/flight_path.hpp");
+  document.shipped("formula::wobble_rate", "contact/gap_along.hpp");
   const ex rate = formula::wobble_rate<ex>(part, path.cosine, path.sine);
   document.prove({.text = "its rate", .result = rate, .witness = along.diff(path.t)});
   const realsymbol c0("c0", "c_0"), c1("c1", "c_1"), c2("c2", "c_2");
-  document.shipped("formula::parabola", "contact/flight_path.hpp");
+  document.shipped("formula::parabola", "contact/gap_along.hpp");
   const ex height = c0 + c1 * path.t + c2 * path.t * path.t / 2;
   document.prove({.text = "the height", .result = formula::parabola<ex>(c0, c1, c2, path.t), .witness = height});
-  document.shipped("formula::parabola_rate", "contact/flight_path.hpp");
+  document.shipped("formula::parabola_rate", "contact/gap_along.hpp");
   document.prove(
       {.text = "its rate", .result = formula::parabola_rate<ex>(c1, c2, path.t), .witness = height.diff(path.t)});
   document.text(
@@ -111,7 +123,7 @@ void zeros(Document& document) {
 time $s$. Its zeros are $(-H' \pm R)/c$, $R^2 = H'^2 - 2 c H$.)");
   const possymbol H("H"), R("R");
   const realsymbol V("V", "H'"), c("c");
-  document.shipped("formula::falling_square", "contact/flight_path.hpp");
+  document.shipped("formula::falling_square", "contact/gap_along.hpp");
   const ex bend = (pow(V, 2) - pow(R, 2)) / (2 * H);
   document.prove({.text = "$R^2$",
                   .result = formula::falling_square<ex>(H, V, c),
@@ -119,7 +131,7 @@ time $s$. Its zeros are $(-H' \pm R)/c$, $R^2 = H'^2 - 2 c H$.)");
                   .meaning = {{c, bend}},
                   .controls = scaled(formula::falling_square<ex>(H, V, c))});
   const auto left = [&](const ex& s) { return H + V * s + c * s * s / 2; };
-  document.shipped("formula::falling_zero", "contact/flight_path.hpp");
+  document.shipped("formula::falling_zero", "contact/gap_along.hpp");
   const ex falling = formula::falling_zero<ex>(H, V, R);
   document.prove({.text = R"($2H/(R - H')$ is one, the first where $H' < 0$: $R - H' > 0$)",
                   .result = falling,
@@ -127,7 +139,7 @@ time $s$. Its zeros are $(-H' \pm R)/c$, $R^2 = H'^2 - 2 c H$.)");
                   .meaning = {{c, bend}},
                   .view = left,
                   .controls = scaled(falling)});
-  document.shipped("formula::bending_zero", "contact/flight_path.hpp");
+  document.shipped("formula::bending_zero", "contact/gap_along.hpp");
   const ex bending = formula::bending_zero<ex>(V, R, c);
   document.prove({.text = R"($(H' + R)/(-c)$ is one, for $c < 0$ and $H' \ge 0$ the only one after $s = 0$)",
                   .result = bending,

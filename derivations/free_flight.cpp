@@ -138,7 +138,7 @@ with $\dot X$ is at $\bar r (X - P) r$ in V and moves with $\bar r (\dot X - u) 
 void parabola(Document& document) {
   document.section("The centre of mass");
   document.text(R"($v(t) = v + \int_0^t g\,\mathrm{d}\tau$ and $p(t) = p + \int_0^t v(\tau)\,\mathrm{d}\tau$.)");
-  document.shipped("formula::ballistic_flight", "motion/free_flight.hpp");
+  document.shipped("formula::ballistic_flight`, `falling", "motion/free_flight.hpp");
   const realsymbol t("t");
   const symbol tau("tau");
   const Vector g = letters("g");
@@ -152,6 +152,10 @@ void parabola(Document& document) {
                   .result = components(end.p_WB),
                   .witness = components(start.p_WB) + integral(velocity.subs(t == tau), tau, 0, t)});
   document.prove({.text = "the attitude stays", .result = components(end.q_WB), .witness = components(start.q_WB)});
+  const Quaternion then = quaternion_letters("r");
+  document.prove({.text = "or is what it is said to be by then",
+                  .result = components(formula::falling<ex>(start, then, g, t).q_WB),
+                  .witness = components(then)});
   document.prove({.text = "$L_W$ stays", .result = components(end.L_W), .witness = components(start.L_W)});
   document.shipped("gravity_W`, `standard_gravity", "motion/invariants.hpp");
   document.prove({.text = "$(0, 0, -g)$ with $g = 9.80665$",
@@ -184,6 +188,16 @@ those of $L_z t (1/I_a - 1/I_t)/2$. The attitude at first, $q(0) = (q_0, q_1, q_
        .result = components(Vector(top.rates.precession * l)) + components(Vector(0, 0, top.rates.spin * l.z())),
        .witness = components(Vector(l.cwiseQuotient(top.body.moments)))});
 
+  document.shipped("formula::turned_top", "motion/free_flight.hpp");
+  const realsymbol alpha("alpha", R"(\alpha)"), beta("beta", R"(\beta)");
+  const Relations half_angles = Relations().unit(top.q).angle(alpha, top.C, top.S).angle(beta, top.c, top.s);
+  const ex both = half_angles(components(formula::turned_top<ex>(top.q, top.n, alpha, beta)));
+  const Quaternion about_k = quaternion(top.C, Vector(top.S * top.n)),
+                   about_axis = quaternion(top.c, Vector(0, 0, top.s));
+  document.prove({.text = R"(it is $(\cos\alpha, k \sin\alpha)\, q\, (\cos\beta, B_z \sin\beta)$)",
+                  .result = both,
+                  .witness = half_angles(components(hamilton(hamilton(about_k, top.q), about_axis))),
+                  .controls = {-both, both * ex(1001) / 1000, both.subs(top.S == -top.S), both.subs(top.s == -top.s)}});
   document.shipped("formula::free_rotation", "motion/free_flight.hpp");
   document.equation("q_0(t)", top.path.w());
   const ex path = components(top.path);

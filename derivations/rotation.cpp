@@ -161,6 +161,11 @@ void unit_again(Document& document) {
       {.text = "a unit quaternion stays", .result = result, .witness = components(u), .view = [&](const ex& e) {
          return near(e).subs(delta == 0);
        }}));
+  const Vector n = letters("n");
+  const ex vector = components(formula::reunited(Vector((1 + delta) * n)));
+  document.prove(Relations().unit(n)({.text = "and so of a vector",
+                                      .result = vector,
+                                      .witness = (1 - 3 * pow(delta, 2) / 2 - pow(delta, 3) / 2) * components(n)}));
 }
 
 void axis(Document& document) {
@@ -170,6 +175,16 @@ void axis(Document& document) {
   document.prove(Relations().unit(q)({.text = R"($q B_z \bar q$)",
                                       .result = components(formula::symmetry_axis(q)),
                                       .witness = components(turned(q, Vector(0, 0, 1)))}));
+  document.text(R"(And for $q = (1 + \delta) u$ with $|u| = 1$, off the sphere by round-off:)");
+  document.shipped("formula::unit_axis", "rotation.hpp");
+  const realsymbol delta("delta", R"(\delta)");
+  const Quaternion u = quaternion_letters("u");
+  const ex scale = 1 - 3 * pow(delta, 2) / 2 - pow(delta, 3) / 2;
+  document.prove(Relations().unit(u)(
+      {.text = R"($(1 - \frac32\delta^2 - \frac12\delta^3)^2\, u B_z \bar u$, as of $u$ by the section before)",
+       .result = components(formula::unit_axis(
+           Quaternion((1 + delta) * u.w(), (1 + delta) * u.x(), (1 + delta) * u.y(), (1 + delta) * u.z()))),
+       .witness = pow(scale, 2) * components(turned(u, Vector(0, 0, 1)))}));
 }
 
 }  // namespace

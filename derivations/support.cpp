@@ -2,7 +2,7 @@
 /// The support function of the stone: maximiser on cap and rim, its switch, thin stones; the distance from the core; which
 /// points of two rims separate two stones most; and the bound that makes the time of impact safe.
 
-#include <goishi/contact/flight_path.hpp>
+#include <goishi/contact/gap_along.hpp>
 #include <goishi/contact/stone_plane.hpp>
 #include <goishi/shape/surface.hpp>
 
@@ -31,6 +31,7 @@ goishi::Stone<ex> stone_of(const Torus& torus) {
   stone.bevel_major_radius = torus.major;
   stone.bevel_minor_radius = torus.minor;
   stone.core_sphere_radius = torus.core_radius;
+  stone.joint_cosine = torus.joint.cosine;
   return stone;
 }
 
@@ -109,6 +110,34 @@ in the direction $n$ is $(r_1, 0) + r_2 n$, and $S = n \cdot ((r_1, 0) + r_2 n)$
                   .result = gap,
                   .witness = z - (n.radial * far_r + n.axial * far_z),
                   .controls = scaled(gap)});
+}
+
+/// Where a tilted stone meets a surface below it. The axis in W is that which sees the normal at the angle φ.
+void level(Document& document, const goishi::Stone<ex>& stone, const Direction& n) {
+  document.section("A surface z = const");
+  document.text(
+      R"(A stone over a surface of the normal $W_z$, its axis $u = (n_r \cos\psi, n_r \sin\psi, \mu)$: it meets the surface
+with its farthest point in the direction $-W_z$. On a cap that is the point of the sphere below the centre of the
+sphere, which is $d$ along the axis, up for the lower cap; on the rim it is the point of the circle that is lowest, along
+$W_z - \mu u$ from the centre, downwards, and $r_2$ below it.)");
+  document.shipped("formula::level_contact", "contact/stone_plane.hpp");
+  const Vector u(n.radial * n.around_x, n.radial * n.around_y, n.axial);
+  const Vector letters(possymbol("la", "a_1"), possymbol("lb", "a_2"), possymbol("lc", "a_3")), down(0, 0, -1);
+  const auto prove = [&](const char* text, const ex& support, const ex& slope, const Vector& lowest) {
+    const auto found = [&](const ex& s, const ex& k) { return letters.dot(formula::level_contact<ex>(u, s, k)); };
+    document.prove({.text = text,
+                    .result = found(support, slope),
+                    .witness = letters.dot(lowest),
+                    .controls = {found(support, -slope), found(-support, slope), found(support * 2, slope),
+                                 found(support, slope * ex(1001) / 1000), -found(support, slope)}});
+  };
+  prove("the lower cap, $-S' = d$", formula::cap_support<ex>(stone, n.axial, pow(n.radial, 2)), stone.sphere_offset,
+        Vector(stone.sphere_offset * u + stone.sphere_radius * down));
+  // Down along the plane of the rim: (W_z − μu)/n_r.
+  const Vector up_the_rim = (Vector(-down) - n.axial * u) / n.radial;
+  prove("the rim, $-S' = r_1 \\mu/n_r$", formula::rim_support<ex>(stone, n.radial),
+        formula::rim_slope<ex>(stone, n.axial, n.radial),
+        Vector(stone.bevel_minor_radius * down - stone.bevel_major_radius * up_the_rim));
 }
 
 void joint(Document& document, const goishi::Stone<ex>& stone, const Torus& torus, const Direction& n) {
@@ -225,7 +254,7 @@ $H = h_0 + v t - g t^2/2 - S(u)$. So $H'' = -g - S''(u)\,u'^2 - S'(u)\,u''$. On 
        .result = sum.subs(pow(sine, 2) == 1 - pow(c, 2)).expand(),
        .witness = (pow(rate, 4) * (pow(B, 2) + pow(C, 2))),
        .controls = scaled(sum.subs(pow(sine, 2) == 1 - pow(c, 2)))});
-  document.shipped("formula::greatest_bend", "contact/flight_path.hpp");
+  document.shipped("formula::greatest_bend", "contact/gap_along.hpp");
   const possymbol swing("swing", R"(\sqrt{B^2 + C^2})"), offset("d");
   const Direction phase;
   const exmap at_the_top = {{B, swing * phase.radial}, {C, swing * phase.axial}};
@@ -258,7 +287,24 @@ $H = h_0 + v t - g t^2/2 - S(u)$. So $H'' = -g - S''(u)\,u'^2 - S'(u)\,u''$. On 
                   .controls = scaled(at_joint)});
   document.text(
       R"(With $S'' \le 0$ and $|S'| \le d$, $H'' \ge -M$ with $M = g + d\,\Omega^2\sqrt{B^2 + C^2}$, and from $H \ge 0$ the
-step $s$ with $H + H's - Ms^2/2 = 0$ cannot pass a root.)");
+step $s$ with $H + H's - Ms^2/2 = 0$ cannot pass a root. On the rim $n_r = \sqrt{1 - u^2}$ is not below $\cos\alpha$, so that
+$-S'' \le r_1/\cos^3\alpha$; and $|u'| \le \Omega \sqrt{B^2 + C^2}$, by the first of these. So $H'' \le M^+$, if gravity
+points down.)");
+  document.shipped("formula::greatest_lift", "contact/gap_along.hpp");
+  const ex lift = formula::greatest_lift<ex>(stone, rate, B, C);
+  const ex at_the_joint = by_u(slope).subs(k == 1 / (1 + torus.tau));
+  document.prove(
+      {.text = R"(it is $-d\,u''$, as above, and $-S''\,u'^2$ with $S''$ at the joint and $u'$ where $u'' = 0$)",
+       .result = lift,
+       .witness = (-stone.sphere_offset * in_letters(u.diff(time, 2))).subs(then).subs(at_the_top) -
+                  at_the_joint * pow(rate * swing, 2),
+       .meaning = at_the_top,
+       .controls = {-lift, lift * ex(1001) / 1000, lift.subs(B == 2 * B),
+                    formula::greatest_bend<ex>(stone.sphere_offset, rate, B, C)}});
+  document.text(
+      R"(After that step from where $H' < 0$, $H \le \frac12 (M + M^+) s^2$. Where $H' + 2 M^+ s < 0$, too, $H$ falls there at
+$-H' - M^+ s$ or faster, and for another $s$ at $-H' - 2 M^+ s$ or faster: if $\frac12 (M + M^+) s^2$ is less than what that
+takes off in a time no longer than $s$, the root is not farther off than that time.)");
 }
 
 }  // namespace
@@ -270,6 +316,7 @@ int main() {
     const Direction n;
     cap(document, stone, n);
     rim(document, stone, n);
+    level(document, stone, n);
     joint(document, stone, torus, n);
     core(document, stone);
     rims(document);

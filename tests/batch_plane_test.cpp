@@ -49,7 +49,43 @@ TYPED_TEST(BatchOfPlaneGaps, AreTheGapsOfEach) {
   }
 }
 
+TYPED_TEST(BatchOfPlaneGaps, OfStonesThatFly) {
+  using T = TypeParam;
+  const Moments<T> moments{.axial = T(0.5), .transverse = T(0.3)};
+  for (const std::size_t count : {0U, 1U, 7U, 9U, 100U}) {
+    StoneBatch<T> flying(count);
+    PlaneBatch<T> shapes(count), standing(count);
+    const Stone<T> kinds[] = {sharp<T>(), bevelled<T>()};
+    for (std::size_t i = 0; i < count; ++i) {
+      const T x = static_cast<T>(i) / T(100);
+      flying.set(i,
+                 {.p_WB = {x, T(1) - x, T(2)},
+                  .q_WB = Quat<T>(T(1), x, T(0.5), -x).normalized(),
+                  .v_WB = {T(1), T(0), x},
+                  .L_W = {T(1), x, T(-2)}},
+                 moments);
+      shapes.set(i, kinds[i % 2]);
+    }
+    flying.fly(Vec3<T>(T(0), T(0), T(-1)), T(0.25));
+    const Plane<T> plane{.n_W = {T(0.6), T(0), T(0.8)}, .offset = T(0.5)};
+    std::vector<T> gaps(count), alone(count);
+    shapes.gaps(flying, plane, gaps);
+    for (std::size_t i = 0; i < count; ++i) {
+      const State<T> now = flying.get(i);
+      standing.set(i, kinds[i % 2], {.p_WB = now.p_WB, .q_WB = now.q_WB});
+    }
+    standing.gaps(plane, alone);
+    EXPECT_EQ(gaps, alone);
+  }
+}
+
 TEST(BatchOfPlaneGapsBadInput, IsRefused) {
+  expect_invalid("stones", [] {
+    std::vector<double> none(3);
+    PlaneBatch<double>(3).gaps(StoneBatch<double>(2), Plane<double>{}, none);
+  });
+  expect_invalid("stone", [] { PlaneBatch<double>(3).set(0, Stone<double>()); });
+  expect_invalid("index", [] { PlaneBatch<double>(3).set(3, sharp()); });
   PlaneBatch<double> batch(3);
   std::vector<double> gaps(3);
   expect_invalid("index", [&] { batch.set(3, sharp(), lying<double>(0, 0, 0)); });

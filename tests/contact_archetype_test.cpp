@@ -4,7 +4,7 @@
 
 #include <goishi/contact/arc.hpp>
 #include <goishi/contact/contact.hpp>
-#include <goishi/contact/flight_path.hpp>
+#include <goishi/contact/gap_along.hpp>
 #include <goishi/contact/pair_closed.hpp>
 #include <goishi/contact/rim_rim.hpp>
 #include <goishi/drop/equations/carried.hpp>
@@ -39,6 +39,7 @@ Stone<T> whole_stone() {
   stone.bevel_major_radius = T(10);
   stone.bevel_minor_radius = T(1);
   stone.core_sphere_radius = T(14);
+  stone.joint_cosine = T(3) / T(5);
   return stone;
 }
 
@@ -182,6 +183,7 @@ Numbers rational_contact_formulas() {
   const Stone<T> stone = whole_stone<T>();
   numbers.add(formula::rim_slope(stone, T(3) / T(5), T(4) / T(5)));
   numbers.add(formula::support_point(formula::rim_support_reach(stone, T(4)), vector<T>(1, 2, 3), T(5)));
+  numbers.add(formula::level_contact(vector<T>(1, 2, 3), T(4), T(5)));
   numbers.add(formula::centre_at(whole_path<T>(), T(3)));
   const Wobble<T> wobble = formula::wobble(stone, whole_path<T>(), vector<T>(0, 1, 0));
   numbers.add(formula::wobble_at(wobble, T(3) / T(5), T(4) / T(5)));
@@ -216,6 +218,7 @@ Numbers elementary_contact_formulas() {
   Numbers numbers;
   numbers.add(formula::axis_at(whole_path<T>(), T(2)));
   numbers.add(formula::greatest_bend(T(1), T(2), T(3), T(4)));
+  numbers.add(formula::greatest_lift(whole_stone<T>(), T(2), T(3), T(4)));
   const FromRim<T> from = formula::from_rim(vector<T>(1, 2, 3), vector<T>(0, 0, 1), T(2));
   numbers.add(from.beyond);
   numbers.add(from.away);

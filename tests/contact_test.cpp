@@ -53,7 +53,13 @@ TYPED_TEST(Contact, OverThePlane) {
   const auto expect = [&](const Pose<T>& pose, const Expected<T>& expected) {
     // Twice the width away at most.
     this->expect(separation(stone, pose, ground), expected, T(2) * this->plane_error, T(16) * this->plane_error);
+    this->expect(surface_separation(stone, pose), expected, T(2) * this->plane_error, T(16) * this->plane_error);
     expect_near(surface_gap(stone, pose), expected.gap, T(2) * this->plane_error);
+    expect_near(surface_gap(stone, pose, ground), expected.gap, T(2) * this->plane_error);
+    // A surface elsewhere.
+    Expected<T> lower = expected;
+    lower.gap = expected.gap + T(1);
+    this->expect(surface_separation(stone, pose, T(-1)), lower, T(2) * this->plane_error, T(16) * this->plane_error);
   };
   const Vec3<T> up = vec<T>(0, 0, 1);
   const auto surface = OtherFeature::surface;
@@ -85,6 +91,7 @@ TYPED_TEST(Contact, BesideAnyPlane) {
   this->expect(separation(sharp<T>(), lying<T>(6, 0, 8), wall),
                {T(5.4L), wall.n_W, vec<T>(3, 0, 7), Feature::lower_cap, OtherFeature::surface},
                T(2) * this->plane_error, T(16) * this->plane_error);
+  expect_near(surface_gap(sharp<T>(), lying<T>(6, 0, 8), wall), T(5.4L), T(2) * this->plane_error);
 }
 
 // --- the board
@@ -317,16 +324,23 @@ TEST(ContactBadInput, PosesNormalsOffsets) {
   const Pose<double> good = lying<double>(1, 2, 3);
   expect_bad_poses_refused([](const Pose<double>& bad) { (void)separation(sharp(), bad, Plane<double>{}); });
   expect_bad_poses_refused([](const Pose<double>& bad) { (void)surface_gap(sharp(), bad); });
+  expect_bad_poses_refused([](const Pose<double>& bad) { (void)surface_gap(sharp(), bad, Plane<double>{}); });
+  expect_bad_poses_refused([](const Pose<double>& bad) { (void)surface_separation(sharp(), bad); });
   expect_bad_poses_refused([](const Pose<double>& bad) { (void)separation(sharp(), bad, board()); });
   expect_bad_poses_refused([&](const Pose<double>& bad) { (void)separation(sharp(), bad, sharp(), good); });
   expect_bad_poses_refused([&](const Pose<double>& bad) { (void)separation(sharp(), good, sharp(), bad); });
   with_each_bad_direction([&](const Vec3<double>& bad) {
     expect_invalid("normal", [&] { (void)separation(sharp(), good, Plane<double>{.n_W = bad}); });
+    expect_invalid("normal", [&] { (void)surface_gap(sharp(), good, Plane<double>{.n_W = bad}); });
   });
   for (const double bad : {nan, infinity, -infinity}) {
     expect_invalid("offset", [&] { (void)separation(sharp(), good, Plane<double>{.offset = bad}); });
+    expect_invalid("offset", [&] { (void)surface_gap(sharp(), good, Plane<double>{.offset = bad}); });
+    expect_invalid("offset", [&] { (void)surface_separation(sharp(), good, bad); });
   }
   expect_invalid("stone", [&] { (void)separation(Stone<double>{}, good, Plane<double>{}); });
+  expect_invalid("stone", [&] { (void)surface_gap(Stone<double>{}, good, Plane<double>{}); });
+  expect_invalid("stone", [&] { (void)surface_separation(Stone<double>{}, good); });
   expect_invalid("board", [&] { (void)separation(sharp(), good, Board<double>{}); });
 }
 

@@ -27,6 +27,7 @@ void expect_invalid_state(const std::string& argument, const State<double>& stat
     expect_invalid(argument, [&] { (void)free_flight(state, stone_moments, gravity, 1.0, freedom); });
     expect_invalid(argument, [&] { (void)free_flight(state, make_top_rates(stone_moments), gravity, 1.0, freedom); });
   }
+  expect_invalid(argument, [&] { (void)Flight<double>(state, make_top_rates(stone_moments), gravity); });
   for (const SchemeInfo& one : schemes) {
     const Stepper<double> stepper(one.scheme, make_rigid_body(0.005, stone_moments));
     expect_invalid(argument, [&] { (void)stepper.advance(state, 1e-3, 0); });

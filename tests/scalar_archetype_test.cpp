@@ -107,6 +107,7 @@ Numbers rational_motion_formulas() {
   numbers.add(formula::attitude_rate(e.w, e.q));
   numbers.add(formula::reunited(e.q));
   numbers.add(formula::symmetry_axis(e.q));
+  numbers.add(formula::unit_axis(e.q));
   numbers.add(formula::in_body(e.q, e.w));
   numbers.add(formula::angular_velocity_B(e.state, e.body));
   numbers.add(formula::angular_velocity_W(e.state, e.body));
@@ -145,6 +146,7 @@ Numbers elementary_motion_formulas() {
   Numbers numbers;
   const Example<T> e;
   numbers.add(formula::rotation_exp(e.w));
+  numbers.add(formula::turned_top(e.q, e.w, T(5), e.dt));
   numbers.add(formula::free_rotation(e.q, e.state.L_W, T(5), e.rates, e.dt));
   numbers.add(formula::free_flight(e.state, e.rates, e.gravity, e.dt));
   numbers.add(formula::exponential_euler_attitude(e.q, e.w, e.dt));

@@ -54,6 +54,33 @@ TYPED_TEST(Impact, AFlatDrop) {
   this->expect_status(time_of_impact(sharp<T>(), path, ground, T(0.5)), ImpactStatus::none, T(0.5));
 }
 
+TYPED_TEST(Impact, OfAStateAsItIs) {
+  using T = TypeParam;
+  const Moments<T> moments{.axial = T(0.5), .transverse = T(0.3)};
+  const Vec3<T> gravity = vec<T>(0, 0, -10);
+  const State<T> start{.p_WB = vec<T>(1, 2, 12),
+                       .q_WB = Quat<T>(T(0.8L), T(0.6L), T(0), T(0)),
+                       .v_WB = vec<T>(1, 0, 0.5L),
+                       .L_W = vec<T>(0.5L, 1, -1)};
+  State<T> lower = start;
+  lower.p_WB.z() = T(1.5L);
+  lower.v_WB = vec<T>(1, 0, 30);
+  const TopRates<T> rates = make_top_rates(moments);
+  const FlightPath<T> path = path_of(start, rates, gravity), lower_path = path_of(lower, rates, gravity);
+  const auto expect_same = [](const TimeOfImpact<T>& found, const TimeOfImpact<T>& expected) {
+    EXPECT_EQ(expected.status, ImpactStatus::hit);
+    EXPECT_EQ(found.status, expected.status);
+    EXPECT_EQ(found.time, expected.time);
+  };
+  const Plane<T> ground;
+  expect_same(time_of_impact(sharp<T>(), start, moments, gravity, ground, T(3)),
+              time_of_impact(sharp<T>(), path, ground, T(3)));
+  expect_same(time_of_impact(sharp<T>(), start, rates, gravity, board<T>(), T(3)),
+              time_of_impact(sharp<T>(), path, board<T>(), T(3)));
+  expect_same(time_of_impact(sharp<T>(), start, moments, sharp<T>(), lower, moments, gravity, T(3)),
+              time_of_impact(sharp<T>(), path, sharp<T>(), lower_path, T(3)));
+}
+
 TYPED_TEST(Impact, AtTheStart) {
   using T = TypeParam;
   const Plane<T> ground;

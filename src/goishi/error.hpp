@@ -1,12 +1,16 @@
 #pragma once
 /// \file
 /// Errors of the caller. "No contact" and "did not converge" are states in a result, never exceptions.
+///
+/// Where there are no exceptions (-fno-exceptions), or where GOISHI_NO_EXCEPTIONS is defined, an error of the caller ends the
+/// program: the line that `InvalidArgument::what()` would give goes to the standard error, then `std::abort` is called.
 
 #include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdio>
+#include <cstdlib>
 #include <goishi/scalar.hpp>
 #include <limits>
 #include <sstream>
@@ -14,6 +18,10 @@
 #include <string>
 #include <string_view>
 #include <utility>
+
+#if !defined(GOISHI_NO_EXCEPTIONS) && !defined(__cpp_exceptions)
+#define GOISHI_NO_EXCEPTIONS
+#endif
 
 namespace goishi {
 
@@ -106,7 +114,13 @@ template <class T>
 template <class T, class... Parts>
 [[noreturn]] void throw_invalid(const char* argument, const T& value, const Parts&... rule) {
   constexpr int usual_precision = 6;
-  throw InvalidArgument(argument, to_text(value), (std::string() + ... + detail::written(rule, usual_precision)));
+  const InvalidArgument error(argument, to_text(value), (std::string() + ... + detail::written(rule, usual_precision)));
+#ifdef GOISHI_NO_EXCEPTIONS
+  std::fputs((std::string(error.what()) + "\n").c_str(), stderr);
+  std::abort();
+#else
+  throw error;
+#endif
 }
 
 /// Throws unless `holds`. Write the condition that must hold: a NaN makes it false. The rule is given in parts, joined

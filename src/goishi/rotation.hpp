@@ -107,12 +107,33 @@ template <Field T>
   return Quat<T>(T(scale * q.w()), T(scale * q.x()), T(scale * q.y()), T(scale * q.z()));
 }
 
+/// The same of a vector: u (3 − |u|²)/2.
+template <Field T>
+[[nodiscard]] inline Vec3<T> reunited(const Vec3<T>& u) {
+  const T square = scalar::sq(u.x()) + scalar::sq(u.y()) + scalar::sq(u.z());
+  const T scale = (T(3) - square) / T(2);
+  return {T(scale * u.x()), T(scale * u.y()), T(scale * u.z())};
+}
+
 /// The symmetry axis in W: q_WB Bz, the third column of R_WB.
 /// Proof  derivations/rotation.cpp.
 template <Field T>
 [[nodiscard]] Vec3<T> symmetry_axis(const Quat<T>& q) {
   return {T(T(2) * (q.x() * q.z() + q.w() * q.y())), T(T(2) * (q.y() * q.z() - q.w() * q.x())),
           T(T(1) - T(2) * (scalar::sq(q.x()) + scalar::sq(q.y())))};
+}
+
+/// The same of q/|q|, to O(δ²), where round-off has taken |q| off 1 by δ: what `reunited` would do to q, at the end.
+///
+///     u = (2(q_x q_z + q_w q_y), 2(q_y q_z − q_w q_x), q_w² + q_z² − q_x² − q_y²) ((3 − |q|²)/2)²
+///
+/// Proof  derivations/rotation.cpp.
+template <Field T>
+[[nodiscard]] inline Vec3<T> unit_axis(const Quat<T>& q) {
+  const T w = q.w(), x = q.x(), y = q.y(), z = q.z();
+  const T wz = w * w + z * z, xy = x * x + y * y;
+  const T scale = scalar::sq(T((T(3) - (wz + xy)) / T(2))), twice = scale + scale;
+  return {T(twice * (x * z + w * y)), T(twice * (y * z - w * x)), T(scale * (wz - xy))};
 }
 
 }  // namespace formula
@@ -122,7 +143,8 @@ namespace detail {
 /// |q|². Component by component: what Eigen's sums round to depends on its vector instructions.
 template <Field T>
 [[nodiscard]] T squared_norm(const Quat<T>& q) {
-  return scalar::sq(q.w()) + scalar::sq(q.x()) + (scalar::sq(q.y()) + scalar::sq(q.z()));
+  const T wz = scalar::sq(q.w()) + scalar::sq(q.z()), xy = scalar::sq(q.x()) + scalar::sq(q.y());
+  return T(wz + xy);
 }
 
 /// q/|q|; 0 where |q|² overflows, q where it vanishes.
@@ -136,16 +158,31 @@ template <Ordered T>
   return Quat<T>(T(q.w() / norm), T(q.x() / norm), T(q.y() / norm), T(q.z() / norm));
 }
 
+/// |q|² − 1.
+template <Ordered T>
+[[nodiscard]] inline T unit_defect(const Quat<T>& q) {
+  return detail::squared_norm(q) - T(1);
+}
+
+/// Of |q|² − 1 or |n|² − 1.
+template <Ordered T>
+[[nodiscard]] inline bool is_unit_defect(const T& defect) {
+  return scalar::abs(defect) < unit_tolerance<T>();
+}
+
+template <Ordered T>
+[[nodiscard]] inline bool is_unit(const Quat<T>& q) {
+  return is_unit_defect(unit_defect(q));
+}
+
 }  // namespace detail
 
 /// Throws InvalidArgument unless |q| = 1 within `unit_tolerance`.
 template <Ordered T>
 void require_unit(const Quat<T>& q_WB) {
-  const T defect = detail::squared_norm(q_WB) - T(1);
-  const T tolerance = unit_tolerance<T>();
-  if (!(defect < tolerance && -tolerance < defect)) [[unlikely]] {
-    throw_invalid("attitude", T(scalar::sqrt(detail::squared_norm(q_WB))), "must be a unit quaternion; |q|² is off by ",
-                  defect, ", more than round-off: normalise it first");
+  if (const T defect = detail::unit_defect(q_WB); !detail::is_unit_defect(defect)) [[unlikely]] {
+    throw_invalid("attitude", scalar::sqrt(T(defect + T(1))), "must be a unit quaternion; |q|² is off by ", defect,
+                  ", more than round-off: normalise it first");
   }
 }
 
@@ -164,7 +201,7 @@ template <Ordered T>
 template <Ordered T>
 [[nodiscard]] Vec3<T> symmetry_axis(const Quat<T>& q_WB) {
   require_unit(q_WB);
-  return formula::symmetry_axis(formula::reunited(q_WB));
+  return formula::unit_axis(q_WB);
 }
 
 }  // namespace goishi

@@ -171,6 +171,36 @@ template <Field T>
   return T(x * x);
 }
 
+/// |x|, without a branch where T is built in: a sign is as good as random.
+template <Ordered T>
+[[nodiscard]] constexpr T abs(const T& x) {
+  if constexpr (std::floating_point<T>) {
+    return std::abs(x);
+  } else {
+    return x < T(0) ? T(-x) : x;
+  }
+}
+
+/// x >= 0 with the sign of s, of −0 too where T is built in; without a branch there.
+template <Ordered T>
+[[nodiscard]] constexpr T signed_as(const T& x, const T& s) {
+  if constexpr (std::floating_point<T>) {
+    return std::copysign(x, s);
+  } else {
+    return s < T(0) ? T(-x) : x;
+  }
+}
+
+template <Ordered T>
+[[nodiscard]] constexpr T min(const T& x, const T& y) {
+  return y < x ? y : x;
+}
+
+template <Ordered T>
+[[nodiscard]] constexpr T max(const T& x, const T& y) {
+  return x < y ? y : x;
+}
+
 /// What a physical value holds until it is set: NaN where T has one.
 template <class T>
 [[nodiscard]] constexpr T unset() {

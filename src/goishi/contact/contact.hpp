@@ -181,7 +181,7 @@ template <Ordered T>
   const T axial = formula::dot(u_W, n_W);
   SeenNormal<T> seen{.signed_axial = axial, .radial_part = formula::plus(n_W, T(-axial), u_W), .direction = {}};
   const T square = formula::dot(seen.radial_part, seen.radial_part);
-  seen.direction = {.axial = axial < T(0) ? T(-axial) : axial, .radial = scalar::sqrt(square), .radial_square = square};
+  seen.direction = {.axial = scalar::abs(axial), .radial = scalar::sqrt(square), .radial_square = square};
   return seen;
 }
 
@@ -207,28 +207,52 @@ template <Ordered T>
   const T height = formula::cap_support_height(stone, n.axial, n.radial_square);
   const T ring = formula::rim_support_reach(stone, n.radial);
   const T across = cap ? stone.sphere_radius : ring;
-  const T along = cap ? (upper ? height : T(-height)) : T(stone.bevel_minor_radius * seen.signed_axial);
+  const T along = cap ? scalar::signed_as(height, seen.signed_axial) : T(stone.bevel_minor_radius * seen.signed_axial);
   const Feature on_cap = upper ? Feature::upper_cap : Feature::lower_cap;
   return {.x_W = formula::combination(across, seen.radial_part, along, u_W), .feature = cap ? on_cap : Feature::rim};
 }
 
+/// The feature that a stone meets a normal with whose direction from its centre is the opposite one.
+[[nodiscard]] inline Feature feature_below(bool cap, bool upwards) {
+  return !cap ? Feature::rim : upwards ? Feature::lower_cap : Feature::upper_cap;
+}
+
 /// The separation along a unit normal, complete but for `other_feature` and `certified`. `offset` is how far the other body
-/// reaches in its direction: the greatest n · x over it.
+/// reaches in its direction: the greatest n · x over it. In scalars and in line: vectors would go through memory, where
+/// what was stored one by one is loaded as a pair, which stalls.
 template <Ordered T>
-[[nodiscard]] Separation<T> separation_along(const Placed<T>& placed, const Vec3<T>& n_W, const T& offset) {
-  const SeenNormal<T> seen = see<T>(placed.u_W, n_W);
+[[nodiscard, gnu::always_inline]] inline Separation<T> separation_along(const Placed<T>& placed, const Vec3<T>& n_W,
+                                                                        const T& offset) {
+  const Stone<T>& stone = placed.stone;
+  const T nx = n_W.x(), ny = n_W.y(), nz = n_W.z();
+  const T ux = placed.u_W.x(), uy = placed.u_W.y(), uz = placed.u_W.z();
+  const T px = placed.p_W.x(), py = placed.p_W.y(), pz = placed.p_W.z();
+  const T axial = ux * nx + uy * ny + uz * nz;
+  const T rx = nx - axial * ux, ry = ny - axial * uy, rz = nz - axial * uz;
+  const T square = rx * rx + ry * ry + rz * rz;
   // The stone is its own mirror image: its support point in −n is minus that in n.
-  const SupportPoint<T> support = support_point(placed.stone, placed.u_W, seen);
-  Separation<T> result;
-  result.gap = formula::dot(n_W, placed.p_W) - offset - support_value(placed.stone, seen.direction);
-  result.status = result.gap < T(0) ? SeparationStatus::overlapping : SeparationStatus::separated;
-  result.n_W = n_W;
-  result.p_stone = formula::minus(placed.p_W, support.x_W);
-  result.p_other = formula::plus(result.p_stone, T(-result.gap), n_W);
-  result.feature = support.feature == Feature::upper_cap   ? Feature::lower_cap
-                   : support.feature == Feature::lower_cap ? Feature::upper_cap
-                                                           : Feature::rim;
-  return result;
+  const bool upwards = !(axial < T(0));
+  const Direction<T> n{.axial = scalar::abs(axial), .radial = scalar::sqrt(square), .radial_square = square};
+  const bool cap = meets_cap(stone, n);
+  T across, along, support;
+  if (cap) {
+    const T height = formula::cap_support_height(stone, n.axial, square);
+    across = stone.sphere_radius;
+    along = scalar::signed_as(height, axial);
+    support = formula::cap_support(stone, n.axial, square);
+  } else {
+    across = formula::rim_support_reach(stone, n.radial);
+    along = stone.bevel_minor_radius * axial;
+    support = formula::rim_support(stone, n.radial);
+  }
+  const T gap = (nx * px + ny * py + nz * pz) - offset - support;
+  const T x = px - (across * rx + along * ux), y = py - (across * ry + along * uy), z = pz - (across * rz + along * uz);
+  return {.status = gap < T(0) ? SeparationStatus::overlapping : SeparationStatus::separated,
+          .gap = gap,
+          .n_W = {nx, ny, nz},
+          .p_stone = {x, y, z},
+          .p_other = {T(x - gap * nx), T(y - gap * ny), T(z - gap * nz)},
+          .feature = feature_below(cap, upwards)};
 }
 
 }  // namespace detail

@@ -54,7 +54,7 @@ void take_core_support(const Placed<T>& placed, const Vec3<T>& n, PairSide<T>& s
   if (side.cap) {
     const T height = formula::cap_support_height(stone, seen.axial, seen.radial_square);
     across = stone.core_sphere_radius;
-    along = (side.seen.signed_axial < T(0) ? T(-height) : height) - stone.bevel_minor_radius * side.seen.signed_axial;
+    along = scalar::signed_as(height, side.seen.signed_axial) - stone.bevel_minor_radius * side.seen.signed_axial;
   } else {
     across = stone.bevel_major_radius / seen.radial;
     along = T(0);

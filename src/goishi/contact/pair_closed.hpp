@@ -75,7 +75,7 @@ template <Ordered T>
 /// The sign of the cap that a stone is likely to turn towards a direction.
 template <Ordered T>
 [[nodiscard]] T sign_towards(const Placed<T>& placed, const Vec3<T>& v) {
-  return formula::dot(placed.u_W, v) < T(0) ? T(-1) : T(1);
+  return scalar::signed_as(T(1), formula::dot(placed.u_W, v));
 }
 
 /// Looks for a closed form that holds and at which the cores are apart: then no other normal separates more. Else false;

@@ -108,7 +108,7 @@ template <Ordered T>
   // The surface's gap is at least this, which mostly settles what is needed.
   T gap = placed.p_W.z() - reach;
   if (!needs_side(nearest, reach, gap)) {
-    return separation_along(placed, up, T(0));
+    return separation_above(placed, T(0));
   }
   if (!(nearest < reach) || (!(other < reach) && needs_side(other, reach, gap))) {
     const auto support_along = [&](const Vec3<T>& n) {
@@ -118,7 +118,7 @@ template <Ordered T>
     const T side = -nearest - support_along(x < y ? Vec3<T>(T(1), T(0), T(0)) : Vec3<T>(T(0), T(1), T(0)));
     gap = surface < side ? side : surface;
     if (!needs_side(nearest, reach, gap)) {
-      return separation_along(placed, up, T(0));
+      return separation_above(placed, T(0));
     }
   }
   const auto size_of = [](const T& v) { return v < T(0) ? T(-v) : v; };

@@ -5,7 +5,7 @@
 /// separating normal of the moment gives such a function, which is never above the true separation: its first root is a
 /// time before which nothing can touch.
 
-#include <goishi/contact/flight_path.hpp>
+#include <goishi/contact/gap_along.hpp>
 #include <goishi/contact/stone_board.hpp>
 #include <goishi/contact/stone_plane.hpp>
 #include <goishi/contact/stone_stone.hpp>
@@ -72,7 +72,7 @@ template <Ordered T>
 [[nodiscard]] RoundOff<T> round_off_of(const Stone<T>& stone, const FlightPath<T>& path, int some) {
   const T epsilon = std::numeric_limits<T>::epsilon(), width = outer_width(stone);
   return {.gap = epsilon * (T(some) * width + T(8) * size_of(path.p_W)),
-          .rate = epsilon * T(some) * (size_of(path.v_W) + magnitude_of(path.rate) * width)};
+          .rate = epsilon * T(some) * (size_of(path.v_W) + scalar::abs(path.rate) * width)};
 }
 
 template <Ordered T>
@@ -103,33 +103,24 @@ template <Ordered T>
                                              const T& horizon) {
   detail::require_path(stone, path);
   detail::require_direction(plane.n_W);
-  require(detail::magnitude_of(plane.offset) < detail::Squares<T>::most, "offset", plane.offset,
+  require(scalar::abs(plane.offset) < detail::Squares<T>::most, "offset", plane.offset,
           "must be finite, and so must the square of 16 times it");
   require(T(0) < horizon, "horizon", horizon, "must be positive");
   detail::RoundOff<T> nothing = detail::round_off_of(stone, path, 8);
-  nothing.gap = nothing.gap + T(8) * std::numeric_limits<T>::epsilon() * detail::magnitude_of(plane.offset);
+  nothing.gap = nothing.gap + T(8) * std::numeric_limits<T>::epsilon() * scalar::abs(plane.offset);
   const detail::GapAlong<T> gap = detail::gap_along(stone, path, plane.n_W, plane.offset);
-  TimeOfImpact<T> result;
-  const auto contact_at = [&](const T& t) {
-    return detail::separation_along(detail::placed_at(stone, path, t), plane.n_W, plane.offset);
-  };
-  const bool near = !(T(0) < gap.within_reach(T(0), nothing.gap));
-  if (near && gap(T(0)).gap < -nothing.gap) {
-    result.status = ImpactStatus::overlapping;
-    result.time = T(0);
-    result.contact = contact_at(T(0));
-    return result;
+  const detail::RootSearch<T> root = detail::first_root(gap, T(0), horizon, nothing, detail::most_root_steps, true);
+  if (root.status != ImpactStatus::hit && root.status != ImpactStatus::overlapping) [[unlikely]] {
+    return {.status = root.status, .time = root.time, .contact = {}, .steps = root.steps};
   }
-  const detail::RootSearch<T> root = detail::first_root(gap, T(0), horizon, nothing, detail::most_root_steps);
-  result.status = root.status;
-  result.time = root.time;
-  result.steps = root.steps;
-  if (root.status == ImpactStatus::hit) {
-    result.separations = 1;
-    result.contact = contact_at(root.time);
-    if (!scalar::is_finite(result.contact.gap)) [[unlikely]] {
-      result.status = ImpactStatus::not_converged;  // so late that T cannot tell where the stone is
-    }
+  TimeOfImpact<T> result{
+      .status = root.status,
+      .time = root.time,
+      .contact = detail::separation_along(detail::placed_at(stone, path, root), plane.n_W, plane.offset),
+      .steps = root.steps,
+      .separations = 1};
+  if (!scalar::is_finite(result.contact.gap)) [[unlikely]] {
+    result.status = ImpactStatus::not_converged;  // so late that T cannot tell where the stone is
   }
   return result;
 }
@@ -177,6 +168,24 @@ template <Ordered T>
         gap.add(formula::wobble(other, other_path, n));
         return gap;
       });
+}
+
+/// The same of a stone in the state in which it is, with its moments or rates as `free_flight` takes them; `other` is a
+/// plane or the board.
+/// Domain  that of `free_flight`, and as above.
+template <Ordered T, class Turning, class Other>
+[[nodiscard]] TimeOfImpact<T> time_of_impact(const Stone<T>& stone, const State<T>& state, const Turning& turning,
+                                             const Vec3<T>& gravity, const Other& other, const T& horizon) {
+  return time_of_impact(stone, path_of(state, turning, gravity), other, horizon);
+}
+
+/// And of two stones.
+template <Ordered T, class Turning>
+[[nodiscard]] TimeOfImpact<T> time_of_impact(const Stone<T>& stone, const State<T>& state, const Turning& turning,
+                                             const Stone<T>& other, const State<T>& other_state,
+                                             const Turning& other_turning, const Vec3<T>& gravity, const T& horizon) {
+  return time_of_impact(stone, path_of(state, turning, gravity), other, path_of(other_state, other_turning, gravity),
+                        horizon);
 }
 
 }  // namespace goishi

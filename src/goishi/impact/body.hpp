@@ -142,13 +142,6 @@ template <Field T>
 
 namespace detail {
 
-/// Whether `require_direction` has nothing to object to, but component by component: see vector.hpp.
-template <Ordered T>
-[[nodiscard]] inline bool is_unit(const Vec3<T>& direction) {
-  const T defect = formula::dot(direction, direction) - T(1);
-  return defect < unit_tolerance<T>() && -unit_tolerance<T>() < defect;
-}
-
 /// As `require_body`, one by one.
 template <Ordered T>
 void require_each_of(const ImpactBody<T>& body) {

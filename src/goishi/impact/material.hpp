@@ -107,11 +107,6 @@ template <Ordered T>
   return result;
 }
 
-template <Ordered T>
-[[nodiscard]] inline T magnitude(const T& x) {
-  return x < T(0) ? T(-x) : x;
-}
-
 template <class T>
 struct LawImpulse {
   ImpactOutcome outcome;
@@ -143,7 +138,7 @@ struct Units {
   [[nodiscard]] LawImpulse<T> back(const LawImpulse<T>& found) const {
     const Vec3<T> p = formula::scaled(T(speed / trace), found.p);
     // An eighth of the range is left for the energy, p · (v + v⁺)/2.
-    require_answer(T(T(8) * speed * (magnitude(p.x()) + magnitude(p.y()) + magnitude(p.z()))));
+    require_answer(T(T(8) * speed * (scalar::abs(p.x()) + scalar::abs(p.y()) + scalar::abs(p.z()))));
     return {found.outcome, p, found.rounds};
   }
 };

@@ -80,7 +80,7 @@ class StrongeProcess {
       : collision_(c), friction_(c.friction), given_back_(scalar::sq(c.restitution)) {
     // Two tangents; the axis that the normal has least of gives the first.
     const Vec3<T>& n = c.n;
-    const T x = magnitude(n.x()), y = magnitude(n.y()), z = magnitude(n.z());
+    const T x = scalar::abs(n.x()), y = scalar::abs(n.y()), z = scalar::abs(n.z());
     const Vec3<T> least = x <= y && x <= z ? Vec3<T>(T(1), T(0), T(0))
                           : y <= z         ? Vec3<T>(T(0), T(1), T(0))
                                            : Vec3<T>(T(0), T(0), T(1));
@@ -95,7 +95,7 @@ class StrongeProcess {
     against_ = T(1) / (W_.xx + W_.yy + W_.zz / c.friction);
     along_ = T(1) / (c.friction * (W_.xx + W_.yy) + W_.zz);
     // A few e-foldings of the slip: beyond, terms of the series cancel.
-    step_ = longest_ = T(8) / (against_ * (W_.xx + W_.yy) + along_ * (magnitude(W_.xz) + magnitude(W_.yz)));
+    step_ = longest_ = T(8) / (against_ * (W_.xx + W_.yy) + along_ * (scalar::abs(W_.xz) + scalar::abs(W_.yz)));
   }
 
   [[nodiscard]] LawImpulse<T> run() {
@@ -140,7 +140,7 @@ class StrongeProcess {
     const T x = now_.v.x() / speed, y = now_.v.y() / speed;
     const Vec3<T> rate = formula::product(W_, Vec3<T>(T(-against_ * x), T(-against_ * y), along_));
     // Rates are about 1 in these units.
-    const bool turns = T(64) * std::numeric_limits<T>::epsilon() < magnitude(T(rate.y() * x - rate.x() * y));
+    const bool turns = T(64) * std::numeric_limits<T>::epsilon() < scalar::abs(T(rate.y() * x - rate.x() * y));
     return turns ? curved() : straight(rate, along_, T(-(rate.x() * x + rate.y() * y) / speed));
   }
 
@@ -189,7 +189,7 @@ class StrongeProcess {
       const T size = scalar::sqrt(T(scalar::sq(turned_x) + scalar::sq(turned_y)));
       x = turned_x / size;
       y = turned_y / size;
-      if (magnitude(turn) < std::numeric_limits<T>::epsilon()) {
+      if (scalar::abs(turn) < std::numeric_limits<T>::epsilon()) {
         break;
       }
     }
@@ -204,8 +204,8 @@ class StrongeProcess {
     // Sums of magnitudes: squares would underflow in float.
     const auto term = [&](std::size_t k) {
       const Vec3<T>& v = series[k].v;
-      T size =
-          (magnitude(v.x()) + magnitude(v.y())) + (magnitude(v.z()) + magnitude(T(speed_of_work_ * series[k].work)));
+      T size = (scalar::abs(v.x()) + scalar::abs(v.y())) +
+               (scalar::abs(v.z()) + scalar::abs(T(speed_of_work_ * series[k].work)));
       for (std::size_t i = 0; i < k; ++i) {
         size = size * step_;
       }

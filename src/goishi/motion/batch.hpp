@@ -44,6 +44,7 @@ class StoneBatch {
  public:
   using Lanes = std::experimental::native_simd<T>;
   static constexpr std::size_t lanes = Lanes::size();
+  static constexpr std::size_t ahead = 4;  // groups that are fetched before it is their turn; more or less is slower
 
   struct Group {
     State<Lanes> state;
@@ -53,6 +54,9 @@ class StoneBatch {
   explicit StoneBatch(std::size_t count) : count_(count), groups_((count + lanes - 1) / lanes, resting_group()) {}
 
   [[nodiscard]] std::size_t size() const { return count_; }
+
+  /// The stones i `lanes` … as they are stored, for what asks of all where they are; i below `size()` over `lanes`, rounded up.
+  [[nodiscard]] const Group& group(std::size_t i) const { return groups_[i]; }
 
   /// Domain  as `free_flight`; index below `size()`; else InvalidArgument.
   void set(std::size_t index, const State<T>& state, const Moments<T>& moments) {
@@ -64,9 +68,9 @@ class StoneBatch {
     put(index, state);
     group.rates.precession[lane] = rates.precession;
     group.rates.spin[lane] = rates.spin;
-    const T rate = rates.precession + magnitude(rates.spin);
-    fastest_ =
-        std::max(fastest_, T(rate * (magnitude(state.L_W.x()) + magnitude(state.L_W.y()) + magnitude(state.L_W.z()))));
+    const T rate = rates.precession + scalar::abs(rates.spin);
+    fastest_ = std::max(
+        fastest_, T(rate * (scalar::abs(state.L_W.x()) + scalar::abs(state.L_W.y()) + scalar::abs(state.L_W.z()))));
     greatest_rate_ = std::max(greatest_rate_, rate);
     reach_ = std::max(reach_, state.p_WB.template lpNorm<Eigen::Infinity>());
     speed_ = std::max(speed_, state.v_WB.template lpNorm<Eigen::Infinity>());
@@ -92,7 +96,7 @@ class StoneBatch {
   void fly(const Vec3<T>& gravity, const T& t) {
     require(scalar::is_finite(gravity), "gravity", detail::length(gravity), "must be finite");
     require(scalar::is_finite(t), "time", t, "must be finite");
-    const T time = magnitude(t), gain = time * gravity.template lpNorm<Eigen::Infinity>();
+    const T time = scalar::abs(t), gain = time * gravity.template lpNorm<Eigen::Infinity>();
     const T speed = speed_ + gain, reach = reach_ + time * (speed_ + gain / T(2));
     const T angle = time * fastest_;
     require(scalar::is_finite(scalar::sq(angle)) && scalar::is_finite(T(time * greatest_rate_)) &&
@@ -115,16 +119,29 @@ class StoneBatch {
   [[gnu::flatten]] void fly_all(const Vec3<T>& gravity, const T& t) {
     const Vec3<Lanes> g(Lanes(gravity.x()), Lanes(gravity.y()), Lanes(gravity.z()));
     const Lanes time(t);
-    for (Group& group : groups_) {
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
+      fetch(i + ahead);
+      Group& group = groups_[i];
       group.state = formula::free_flight(group.state, group.rates, g, time);
     }
+  }
+
+  /// A group fills the processor's window, so that the loads of the next one would begin when it is done.
+  void fetch([[maybe_unused]] std::size_t i) const {
+#if defined(__GNUC__)
+    constexpr std::size_t line = 64;
+    if (i < groups_.size()) {
+      const char* begin = reinterpret_cast<const char*>(&groups_[i]);
+      for (std::size_t byte = 0; byte < sizeof(Group); byte += line) {
+        __builtin_prefetch(begin + byte, 1);
+      }
+    }
+#endif
   }
 
   void put(std::size_t index, const State<T>& state) {
     each_component(groups_[index / lanes].state, state, [&](Lanes& to, const T& from) { to[index % lanes] = from; });
   }
-
-  [[nodiscard]] static T magnitude(const T& x) { return x < T(0) ? T(-x) : x; }
 
   static Group resting_group() {
     const Lanes zero(T(0)), one(T(1));

@@ -6,6 +6,7 @@
 #include <goishi/motion/state.hpp>
 #include <goishi/rotation.hpp>
 #include <goishi/scalar.hpp>
+#include <goishi/vector.hpp>
 
 namespace goishi {
 
@@ -18,17 +19,6 @@ struct TopRates {
 
 namespace formula {
 
-/// The centre of mass after a time t under constant gravity: p + v t + g t²/2, v + g t. Attitude and L_W stay.
-/// Proof  derivations/free_flight.cpp.
-template <Field T>
-[[nodiscard]] State<T> ballistic_flight(const State<T>& state, const Vec3<T>& gravity, const T& t) {
-  const Vec3<T> gain = t * gravity;
-  return {.p_WB = state.p_WB + t * (state.v_WB + gain / T(2)),
-          .q_WB = state.q_WB,
-          .v_WB = state.v_WB + gain,
-          .L_W = state.L_W};
-}
-
 /// Rates of a torque-free top per unit of momentum, once per body: |L| · `precession` about L, L_z · `spin` about Bz.
 ///
 ///     precession = 1/I_t,   spin = 1/I_a − 1/I_t = (I_t − I_a) / (I_t I_a)
@@ -40,6 +30,24 @@ template <Field T>
   return {.precession = precession, .spin = T((moments.transverse - moments.axial) / moments.axial * precession)};
 }
 
+/// A turn about the unit vector k in the world by the angle 2α, and one about the symmetry axis in the body by 2β.
+///
+///     (cos α, k sin α) q (cos β, Bz sin β), of q/|q|
+///
+/// Proof  derivations/free_flight.cpp.
+template <Elementary T>
+[[nodiscard]] inline Quat<T> turned_top(const Quat<T>& q_WB, const Vec3<T>& k_W, const T& alpha, const T& beta) {
+  const auto [about_k, about_axis] = scalar::sincos(alpha, beta);
+  const T w = q_WB.w(), x = q_WB.x(), y = q_WB.y(), z = q_WB.z();
+  const T square = (w * w + z * z) + (x * x + y * y);
+  const T scale = (T(3) - square) / T(2);  // as `reunited`, so that no chain of flights leaves the unit sphere
+  const T c = scale * about_axis.cos, s = scale * about_axis.sin;
+  const T C = about_k.cos, X = about_k.sin * k_W.x(), Y = about_k.sin * k_W.y(), Z = about_k.sin * k_W.z();
+  const T qw = c * w - s * z, qx = c * x + s * y, qy = c * y - s * x, qz = c * z + s * w;
+  return Quat<T>(T((C * qw - X * qx) - (Y * qy + Z * qz)), T((C * qx + X * qw) + (Y * qz - Z * qy)),
+                 T((C * qy + Y * qw) + (Z * qx - X * qz)), T((C * qz + Z * qw) + (X * qy - Y * qx)));
+}
+
 /// The attitude of a torque-free symmetric top after a time t: a rotation about L in the world, and one about the
 /// symmetry axis in the body.
 ///
@@ -47,35 +55,48 @@ template <Field T>
 ///
 /// Limits  L = 0, I_a = I_t, t <= 0: no special cases.   Proof  derivations/free_flight.cpp.
 template <Elementary T>
-[[nodiscard]] Quat<T> free_rotation(const Quat<T>& q_WB, const Vec3<T>& L_W, const T& axial_momentum,
-                                    const TopRates<T>& rates, const T& t) {
-  const Quat<T> q = formula::reunited(q_WB);  // so that no chain of flights leaves the unit sphere
-  const T half_spin = axial_momentum * (t * rates.spin) / T(2);
-  const auto [s, c] = scalar::sincos(half_spin);
-  const Quat<T> spun(T(c * q.w() - s * q.z()), T(c * q.x() + s * q.y()), T(c * q.y() - s * q.x()),
-                     T(c * q.z() + s * q.w()));
+[[nodiscard]] inline Quat<T> free_rotation(const Quat<T>& q_WB, const Vec3<T>& L_W, const T& axial_momentum,
+                                           const TopRates<T>& rates, const T& t) {
   const T time = t * rates.precession;
-  const Quat<T> precession = formula::rotation_exp(Vec3<T>(T(time * L_W.x()), T(time * L_W.y()), T(time * L_W.z())));
-  return formula::product(precession, spun);
+  const T x = time * L_W.x(), y = time * L_W.y(), z = time * L_W.z();
+  const T angle = scalar::sqrt(T((x * x + y * y) + (z * z + scalar::tiny<T>())));
+  const T over = T(1) / angle;
+  return formula::turned_top(q_WB, Vec3<T>(T(over * x), T(over * y), T(over * z)), T(angle / T(2)),
+                             T(axial_momentum * (t * rates.spin) / T(2)));
 }
 
 /// The momentum about the symmetry axis, L · q Bz   [kg m²/s].   Proof  derivations/free_flight.cpp.
 template <Field T>
-[[nodiscard]] T axial_momentum(const Quat<T>& q_WB, const Vec3<T>& L_W) {
-  const Vec3<T> u = formula::symmetry_axis(formula::reunited(q_WB));
-  return L_W.x() * u.x() + L_W.y() * u.y() + L_W.z() * u.z();
+[[nodiscard]] inline T axial_momentum(const Quat<T>& q_WB, const Vec3<T>& L_W) {
+  return formula::dot(L_W, formula::unit_axis(q_WB));
+}
+
+/// The state after a time t, of the attitude q by then: p + v t + g t²/2, v + g t.
+/// Proof  derivations/free_flight.cpp.
+template <Field T>
+[[nodiscard]] inline State<T> falling(const State<T>& state, const Quat<T>& q, const Vec3<T>& gravity, const T& t) {
+  const T half = T(1) / T(2);
+  const T gx = t * gravity.x(), gy = t * gravity.y(), gz = t * gravity.z();
+  const Vec3<T>&p = state.p_WB, &v = state.v_WB, &L = state.L_W;
+  return {.p_WB = {T(p.x() + t * (v.x() + half * gx)), T(p.y() + t * (v.y() + half * gy)),
+                   T(p.z() + t * (v.z() + half * gz))},
+          .q_WB = Quat<T>(q.w(), q.x(), q.y(), q.z()),  // not as pairs of what was just stored one by one
+          .v_WB = {T(v.x() + gx), T(v.y() + gy), T(v.z() + gz)},
+          .L_W = {L.x(), L.y(), L.z()}};
+}
+
+/// The same, attitude and L_W as they were.   Proof  derivations/free_flight.cpp.
+template <Field T>
+[[nodiscard]] inline State<T> ballistic_flight(const State<T>& state, const Vec3<T>& gravity, const T& t) {
+  return formula::falling(state, state.q_WB, gravity, t);
 }
 
 /// Both: the whole state after a time t.   Proof  derivations/free_flight.cpp.
 template <Elementary T>
-[[nodiscard]] State<T> free_flight(const State<T>& state, const TopRates<T>& rates, const Vec3<T>& gravity,
-                                   const T& t) {
+[[nodiscard]] inline State<T> free_flight(const State<T>& state, const TopRates<T>& rates, const Vec3<T>& gravity,
+                                          const T& t) {
   const T axial_momentum = formula::axial_momentum(state.q_WB, state.L_W);
-  const Vec3<T> gain = t * gravity;
-  return {.p_WB = state.p_WB + t * (state.v_WB + gain / T(2)),
-          .q_WB = formula::free_rotation(state.q_WB, state.L_W, axial_momentum, rates, t),
-          .v_WB = state.v_WB + gain,
-          .L_W = state.L_W};
+  return formula::falling(state, formula::free_rotation(state.q_WB, state.L_W, axial_momentum, rates, t), gravity, t);
 }
 
 }  // namespace formula
@@ -95,9 +116,30 @@ template <Ordered T>
 
 template <Ordered T>
 void require_counted(const State<T>& state, const T& t) {
-  const bool counted = scalar::is_finite(state.p_WB) && scalar::is_finite(state.v_WB);
-  require(T(0) < detail::squared_norm(state.q_WB) && counted, "time", t,
-          "must not take the body farther than its arithmetic can count");
+  const Quat<T>& q = state.q_WB;
+  require(scalar::is_finite(state.p_WB) && scalar::is_finite(state.v_WB) &&
+              scalar::is_finite(T((q.w() + q.x()) + (q.y() + q.z()))),
+          "time", t, "must not take the body farther than its arithmetic can count");
+}
+
+/// Says what is wrong of a flight that gives no numbers, or starts with an attitude that is not unit; or nothing, if only a
+/// sum of its numbers is none.
+template <Ordered T>
+[[gnu::noinline, gnu::cold]] void check_flight(const State<T>& state, const Vec3<T>& gravity, const T& t,
+                                               const State<T>& result) {
+  require_state(state);
+  require(scalar::is_finite(gravity), "gravity", gravity.transpose(), "must be finite");
+  require(scalar::is_finite(t), "time", t, "must be finite");
+  require_counted(result, t);
+}
+
+/// Every number of a flight is in one of these, so that their sum tells of all whether they are numbers.
+template <Ordered T>
+[[nodiscard]] inline bool is_counted(const State<T>& result, const Vec3<T>& gravity, const T& t) {
+  const auto sum = [](const Vec3<T>& v) { return T((v.x() + v.y()) + v.z()); };
+  const Quat<T>& q = result.q_WB;
+  return scalar::is_finite(T((sum(result.p_WB) + sum(result.v_WB)) + (sum(result.L_W) + (sum(gravity) + t)) +
+                             ((q.w() + q.x()) + (q.y() + q.z()))));
 }
 
 }  // namespace detail
@@ -129,15 +171,19 @@ template <Ordered T>
 template <Ordered T>
 [[nodiscard]] State<T> free_flight(const State<T>& state, const TopRates<T>& rates, const Vec3<T>& gravity, const T& t,
                                    Freedom freedom = Freedom::both) {
-  require_state(state);
-  require(scalar::is_finite(gravity), "gravity", gravity.transpose(), "must be finite");
-  require(scalar::is_finite(t), "time", t, "must be finite");
-  State<T> result = freedom == Freedom::angular ? state : formula::ballistic_flight(state, gravity, t);
-  if (freedom != Freedom::linear) {
-    const T axial_momentum = detail::axial_momentum(state.q_WB, state.L_W, rates);
-    result.q_WB = formula::free_rotation(state.q_WB, state.L_W, axial_momentum, rates, t);
+  const bool unit = detail::is_unit(state.q_WB);
+  const T axial_momentum = detail::axial_momentum(state.q_WB, state.L_W, rates);
+  const Quat<T> q = formula::free_rotation(state.q_WB, state.L_W, axial_momentum, rates, t);
+  State<T> result = formula::falling(state, q, gravity, t);
+  if (freedom == Freedom::linear) {
+    result.q_WB = state.q_WB;
+  } else if (freedom == Freedom::angular) {
+    result.p_WB = state.p_WB;
+    result.v_WB = state.v_WB;
   }
-  detail::require_counted(result, t);
+  if (!(unit && detail::is_counted(result, gravity, t))) [[unlikely]] {
+    detail::check_flight(state, gravity, t, result);
+  }
   return result;
 }
 
@@ -147,5 +193,50 @@ template <Ordered T>
                                    Freedom freedom = Freedom::both) {
   return free_flight(state, make_top_rates(moments), gravity, t, freedom);
 }
+
+/// A free flight that is asked for at many times: what of it is constant is made once. No root and no division is left.
+///
+///     const Flight<double> flight(state, rates, gravity_W<double>());
+///     const State<double> then = flight.at(0.25);
+template <Ordered T>
+class Flight {
+ public:
+  /// Domain  as `free_flight`.
+  Flight(const State<T>& start, const TopRates<T>& rates, const Vec3<T>& gravity) : start_(start), gravity_(gravity) {
+    detail::check_flight(start, gravity, T(0), start);
+    // By its greatest component, so that no square is lost.
+    const Vec3<T>& L = start.L_W;
+    const T most = scalar::max(scalar::abs(T(L.x())), scalar::max(scalar::abs(T(L.y())), scalar::abs(T(L.z()))));
+    if (T(0) < most) {
+      const Vec3<T> direction(T(L.x() / most), T(L.y() / most), T(L.z() / most));
+      const T length = scalar::sqrt(formula::dot(direction, direction));
+      k_W_ = {T(direction.x() / length), T(direction.y() / length), T(direction.z() / length)};
+      alpha_ = most * length * rates.precession / T(2);
+      beta_ = detail::axial_momentum(start.q_WB, L, rates) * rates.spin / T(2);
+    }
+    require(scalar::is_finite(alpha_) && scalar::is_finite(beta_), "angular momentum", most,
+            "must not turn the body faster than its arithmetic can count");
+  }
+
+  /// The state after a time t.
+  /// Domain, error  as `free_flight`.   Cost  a pair of sines and cosines.
+  [[nodiscard]] State<T> at(const T& t) const {
+    const Quat<T> q = formula::turned_top(start_.q_WB, k_W_, T(t * alpha_), T(t * beta_));
+    const State<T> result = formula::falling(start_, q, gravity_, t);
+    if (!detail::is_counted(result, gravity_, t)) [[unlikely]] {
+      detail::check_flight(start_, gravity_, t, result);
+    }
+    return result;
+  }
+
+  [[nodiscard]] const State<T>& start() const { return start_; }
+  [[nodiscard]] const Vec3<T>& gravity() const { return gravity_; }
+
+ private:
+  State<T> start_;
+  Vec3<T> gravity_;
+  Vec3<T> k_W_ = {T(0), T(0), T(0)};  // direction of L
+  T alpha_ = T(0), beta_ = T(0);      // [rad/s] half the rates about k, and about the symmetry axis
+};
 
 }  // namespace goishi

@@ -122,12 +122,14 @@ struct ReducedAngle {
 template <class V>
 [[nodiscard, gnu::always_inline]] inline ReducedAngle<V> reduced_by(const V& x, const V& k) {
   using Numbers = SincosNumbers<lane_t<V>>;
-  V a = x - k * Numbers::part[0];
   constexpr std::size_t last = Numbers::part.size() - 1;
+  constexpr auto first = Numbers::part[0], second = Numbers::part[1], before = Numbers::part[last - 1],
+                 rest = Numbers::part[last];
+  V a = x - k * first;
   if constexpr (last == 3) {
-    a = a - k * Numbers::part[1];
+    a = a - k * second;
   }
-  const V kb = k * Numbers::part[last - 1], kr = k * Numbers::part[last];
+  const V kb = k * before, kr = k * rest;
   const V b = a - kb, r = b - kr;
   return {.k = k, .r = r, .l = ((a - b) - kb) + ((b - r) - kr)};
 }
@@ -151,14 +153,17 @@ template <class V>
 [[nodiscard, gnu::always_inline]] inline SineCosine<V> sincos_of(const ReducedAngle<V>& angle) {
   using T = lane_t<V>;
   using Numbers = SincosNumbers<T>;
-  constexpr auto& S = Numbers::sine;
-  constexpr auto& C = Numbers::cosine;
+  // Each by a name of its own, or g++ loads them one by one and makes a register of each.
+  constexpr T S0 = Numbers::sine[0], S1 = Numbers::sine[1], S2 = Numbers::sine[2];
+  constexpr T C0 = Numbers::cosine[0], C1 = Numbers::cosine[1], C2 = Numbers::cosine[2];
   const V &k = angle.k, &r = angle.r, &l = angle.l;
   const V z = r * r, z2 = z * z, h = z * T(0.5);
-  V ps = (S[0] + z * S[1]) + z2 * S[2], pc = (C[0] + z * C[1]) + z2 * C[2];
+  V ps = (S0 + z * S1) + z2 * S2, pc = (C0 + z * C1) + z2 * C2;
   if constexpr (Numbers::sine.size() == 6) {
-    ps = (S[0] + z * S[1]) + z2 * ((S[2] + z * S[3]) + z2 * (S[4] + z * S[5]));
-    pc = (C[0] + z * C[1]) + z2 * ((C[2] + z * C[3]) + z2 * (C[4] + z * C[5]));
+    constexpr T S3 = Numbers::sine[3], S4 = Numbers::sine[4], S5 = Numbers::sine[5];
+    constexpr T C3 = Numbers::cosine[3], C4 = Numbers::cosine[4], C5 = Numbers::cosine[5];
+    ps = (S0 + z * S1) + z2 * ((S2 + z * S3) + z2 * (S4 + z * S5));
+    pc = (C0 + z * C1) + z2 * ((C2 + z * C3) + z2 * (C4 + z * C5));
   }
   const V s = r + ((r * z) * ps + (l - l * h));
   const V u = T(1) - h;

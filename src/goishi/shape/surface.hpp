@@ -114,7 +114,7 @@ struct Direction {
 template <Ordered T>
 [[nodiscard]] Direction<T> direction(const Vec3<T>& n_B) {
   const T square = scalar::sq(n_B.x()) + scalar::sq(n_B.y());
-  return {.axial = n_B.z() < T(0) ? T(-n_B.z()) : n_B.z(), .radial = scalar::sqrt(square), .radial_square = square};
+  return {.axial = scalar::abs(T(n_B.z())), .radial = scalar::sqrt(square), .radial_square = square};
 }
 
 /// n_r sin α <= μ cos α. By squares, so that the answer need not wait for a root.
@@ -166,11 +166,14 @@ template <Ordered T>
 }
 
 template <Ordered T>
+[[nodiscard]] inline bool is_unit(const Vec3<T>& n) {
+  return is_unit_defect(T(formula::dot(n, n) - T(1)));
+}
+
+template <Ordered T>
 void require_direction(const Vec3<T>& n, const char* argument = "normal") {
-  const T defect = formula::dot(n, n) - T(1);
-  const T tolerance = unit_tolerance<T>();
-  if (!(defect < tolerance && -tolerance < defect)) [[unlikely]] {
-    throw_invalid(argument, detail::length(n), "must be a unit vector (its length is shown)");
+  if (!is_unit(n)) [[unlikely]] {
+    throw_invalid(argument, scalar::sqrt(formula::dot(n, n)), "must be a unit vector (its length is shown)");
   }
 }
 

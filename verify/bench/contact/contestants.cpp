@@ -105,6 +105,12 @@ Entry enter_published(const Scene& scene, double /*no setting*/) {
   });
 }
 
+Entry enter_surface(const Scene& scene, double /*no setting*/) {
+  return make_own_query(scene, [&scene, stone = stone_of<double>(scene)](std::size_t i) {
+    return surface_separation(stone, scene.poses[i]);
+  });
+}
+
 template <class T>
 Entry enter_gap(const Scene& scene, double /*no setting*/) {
   return make_own_query(scene, [stone = stone_of<T>(scene), poses = cast<T>(scene.poses)](std::size_t i) {
@@ -133,6 +139,7 @@ std::vector<Contestant<Scene>> contestants() {
   const auto in_batch = [=](const Scene& scene) { return at_plane(scene) && can_run_native(); };
   std::vector<Contestant<Scene>> all = {{{"double", "Goishi, double", "ours"}, enter<double>},
                                         {{"float", "Goishi, float", "ours"}, enter<float>},
+                                        {{"surface", "of the surface z = const", "ours"}, enter_surface, at_plane},
                                         {{"published", "published axes", "ours"}, enter_published, at_board},
                                         {{"gap", "gap alone", "ours"}, enter_gap<double>, at_plane},
                                         {{"gap-float", "gap in float", "ours"}, enter_gap<float>, at_plane},

@@ -70,6 +70,26 @@ class OneByOne {
   std::vector<TopRates<T>> rates_;
 };
 
+/// Asked at other times of the same flights.
+class Kept {
+ public:
+  explicit Kept(const Thrown& thrown) : states_(thrown.size()) {
+    for (const goishi_native_stone& one : thrown) {
+      flights_.emplace_back(state_of(one), make_top_rates(moments_of(one)), gravity_W<double>());
+    }
+  }
+  void fly(double time) {
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+      states_[i] = flights_[i].at(time);
+    }
+  }
+  [[nodiscard]] State<double> get(std::size_t i) const { return states_[i]; }
+
+ private:
+  std::vector<Flight<double>> flights_;
+  std::vector<State<double>> states_;
+};
+
 /// Compiled as the rest of the program.
 template <class T>
 class Portable {
@@ -143,6 +163,7 @@ Race prepare(const Effort& /*any*/) {
           .cost = "run time of a stone",
           .quantities = {{"greatest attitude difference", "rad", false}, {"greatest difference", "m", false}},
           .curves = {curve_of<OneByOne<double>>("one-by-one", "one by one"),
+                     curve_of<Kept>("kept", "one by one, constants kept"),
                      curve_of<Native>("batch", "batch for this machine", can_run_native()),
                      curve_of<Portable<double>>("batch-portable", "batch as the program"),
                      curve_of<OneByOne<float>>("one-by-one-float", "one by one, float"),

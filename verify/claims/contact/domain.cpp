@@ -372,7 +372,7 @@ std::vector<Claim> domain_contact_claims() {
           "the parabola of the centre in long double", OracleFamily::exact,
           {in_epsilon("before", 2.0, "the round-off of the parabola at the time"),
            in_epsilon("hit", 32.0, "the round-off of the parabola at the time")},
-          {{"contact/flight_path.hpp", "r * scalar::sq(path.rate) < most", "true"}},
+          {{"contact/gap_along.hpp", "r * scalar::sq(path.rate) < most", "true"}},
           [](Context& c, Checks& checks, int count, auto t) { see_flights<decltype(t)>(c, checks, count); }, 4000,
           40000),
   };

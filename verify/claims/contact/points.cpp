@@ -19,10 +19,16 @@ Measurement measure_plane_points(Context& context) {
   for (int i = 0; i < context.samples(2000, 20000); ++i) {
     const PlaneCase drawn = draw_plane_case(context, i);
     const Stone<double>& stone = drawn.specimen.stone;
-    const Separation<double> at = separation(stone, drawn.pose, drawn.plane);
-    // The axis is rounded; the point moves by the sphere's radius for each radian of it.
-    const Digits50 off = sqrt((exact(context.produced(at.p_stone)) - drawn.lowest).squaredNorm());
-    worst.see(static_cast<double>(off) / (drawn.scale + stone.sphere_radius), [&] { return describe(drawn); });
+    const auto see = [&](const Separation<double>& at, const char* name) {
+      // The axis is rounded; the point moves by the sphere's radius for each radian of it.
+      const Digits50 off = sqrt((exact(context.produced(at.p_stone)) - drawn.lowest).squaredNorm());
+      worst.see(static_cast<double>(off) / (drawn.scale + stone.sphere_radius),
+                [&] { return fmt::format("{}: {}", name, describe(drawn)); });
+    };
+    see(separation(stone, drawn.pose, drawn.plane), "separation");
+    if (i % 2 == 0) {
+      see(surface_separation(stone, drawn.pose, drawn.plane.offset), "surface_separation");
+    }
   }
   return worst.measurement();
 }
@@ -209,16 +215,17 @@ std::vector<Claim> contact_point_claims() {
   return {
       {.id = "CONTACT-6",
        .statement = "The contact point of a stone over a plane is its lowest point.",
-       .function = "separation (plane)",
+       .function = "separation (plane), surface_separation",
        .family = OracleFamily::other_formula,
        .oracle = "the farthest point of caps and torus in 50 digits",
        .checks = {within("", 2e-15, "of the greater of width and distance, plus the sphere's radius",
                          "the axis, 2 ulp, turns the point about the sphere's centre; then as CONTACT-1",
                          epsilon / 4.0)},
-       .mutants = {{"contact/contact.hpp", "const T along = cap ? (upper ? height : T(-height))",
-                    "const T along = cap ? height"},
-                   {"contact/contact.hpp", "result.p_stone = formula::minus(placed.p_W, support.x_W);",
-                    "result.p_stone = formula::plus(placed.p_W, support.x_W);"}},
+       .mutants = {{"contact/contact.hpp", "along = scalar::signed_as(height, axial);", "along = height;"},
+                   {"contact/contact.hpp", "const T x = px - (across", "const T x = px + (across"},
+                   {"contact/stone_plane.hpp", "cap ? scalar::signed_as(stone.sphere_offset, T(placed.u_W.z()))",
+                    "cap ? stone.sphere_offset"},
+                   {"contact/stone_plane.hpp", "y = placed.p_W.y() + r.y();", "y = placed.p_W.y() - r.y();"}},
        .measure = measure_plane_points},
       {.id = "CONTACT-7",
        .statement =

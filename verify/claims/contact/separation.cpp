@@ -23,9 +23,14 @@ Measurement measure_plane_gap(Context& context) {
       worst.see(std::fabs(static_cast<double>(Digits50(Digits50(context.produced(gap)) - drawn.gap))) / drawn.scale,
                 [&] { return fmt::format("{}: {}", name, describe(drawn)); });
     };
-    see(separation(drawn.specimen.stone, drawn.pose, drawn.plane).gap, "gap");
+    const Stone<double>& stone = drawn.specimen.stone;
+    see(separation(stone, drawn.pose, drawn.plane).gap, "separation");
+    see(surface_gap(stone, drawn.pose, drawn.plane), "surface_gap of a plane");
+    if (i % 2 == 0) {
+      see(surface_separation(stone, drawn.pose, drawn.plane.offset).gap, "surface_separation");
+    }
     if (i % 4 == 0) {
-      see(surface_gap(drawn.specimen.stone, drawn.pose), "surface_gap");
+      see(surface_gap(stone, drawn.pose), "surface_gap");
     }
   }
   return worst.measurement();
@@ -148,7 +153,7 @@ std::vector<Claim> contact_claims() {
       {.id = "CONTACT-1",
        .statement =
            "The gap between a stone and a plane is right: any shape, any attitude, at the switch of cap and rim.",
-       .function = "separation (plane), surface_gap",
+       .function = "separation (plane), surface_separation, surface_gap",
        .family = OracleFamily::other_formula,
        .oracle = "the farthest point of caps and torus in 50 digits",
        .checks = {{.unit = "of the greater of width and distance",
@@ -156,10 +161,12 @@ std::vector<Claim> contact_claims() {
                    .reason =
                        "the product n · p has three roundings of the distance, the difference two, the axis 2 ulp",
                    .resolution = epsilon / 4.0}},
-       .mutants = {{"contact/contact.hpp", "dot(n_W, placed.p_W) - offset - support_value",
-                    "dot(n_W, placed.p_W) - support_value"},
+       .mutants = {{"contact/contact.hpp", "nz * pz) - offset - support;", "nz * pz) - support;"},
+                   {"contact/contact.hpp", "const T square = rx * rx + ry * ry + rz * rz;",
+                    "const T square = rx * rx + ry * ry;"},
                    {"contact/contact.hpp", "const T square = formula::dot(seen.radial_part, seen.radial_part);",
                     "const T square = scalar::sqrt(dot(seen.radial_part, seen.radial_part));"},
+                   {"contact/stone_plane.hpp", "placed.p_W.z() - level - support", "placed.p_W.z() - support"},
                    {"contact/stone_plane.hpp", "return height - formula::rim_support(stone, radial);",
                     "return height - formula::rim_support(stone, height);"}},
        .measure = measure_plane_gap},

@@ -141,7 +141,7 @@ std::vector<Claim> time_of_impact_body_claims() {
                          epsilon),
                   none("faults", "faults")},
        .mutants = {{"contact/time_of_impact.hpp", "detail::reach_of(board, contact.n_W)", "T(0)"},
-                   {"contact/flight_path.hpp", "formula::greatest_bend(part.stone->sphere_offset",
+                   {"contact/gap_along.hpp", "formula::greatest_bend(part.stone->sphere_offset",
                     "formula::greatest_bend<T>(part.stone->sphere_offset / T(8)"}},
        .measure = measure_board_time},
       {.id = "TOI-5",

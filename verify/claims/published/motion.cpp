@@ -277,7 +277,7 @@ std::vector<Claim> published_motion_claims() {
                   within("fall", 16.0, "ε of the fall and its height",
                          "the time is rounded, squared and multiplied, and the fall added to a height, twice", 0.5)},
        .mutants = {{"motion/steppers.hpp", "p += dt * v;", "p += dt * (v - gain);"},
-                   {"motion/free_flight.hpp", "state.v_WB + gain / T(2)", "state.v_WB + gain"},
+                   {"motion/free_flight.hpp", "(v.z() + half * gz)", "(v.z() + gz)"},
                    {"motion/steppers.hpp", "gain = dt * gravity_", "gain = dt / T(2) * gravity_"}},
        .measure = measure_parabola},
       {.id = "PUBLISHED-9",
@@ -306,9 +306,9 @@ std::vector<Claim> published_motion_claims() {
                   within("tilt", 8.0, "ε", "the axis is off by two products of four roundings each", 0.5)},
        .mutants = {{"motion/free_flight.hpp", "const T precession = T(1) / moments.transverse",
                     "const T precession = T(1) / moments.axial"},
-                   {"motion/free_flight.hpp", "formula::product(precession, spun)",
-                    "formula::product(spun, precession)"},
-                   {"rotation.hpp", "const T half = angle / T(2)", "const T half = angle"}},
+                   {"motion/free_flight.hpp", "(C * qz + Z * qw) + (X * qy - Y * qx)",
+                    "(C * qz + Z * qw) - (X * qy - Y * qx)"},
+                   {"motion/free_flight.hpp", "T(angle / T(2))", "angle"}},
        .measure = measure_exact},
   };
 }

@@ -47,11 +47,10 @@ class EdgeHops {
     if (is_floor(run, contact)) {
       return run.time - last_side_ < T(0.15) / run.scales.frequency;  // longer than a hop takes
     }
-    const auto magnitude = [](const T& x) { return x < T(0) ? T(-x) : x; };
     const Board<T>& board = *run.board;
     const T margin = T(1e-6) * run.reach;  // the contact phase ends at the edge: not to enter it again there
-    return !(magnitude(contact.p_other.x()) < board.half_width - margin &&
-             magnitude(contact.p_other.y()) < board.half_length - margin);
+    return !(scalar::abs(contact.p_other.x()) < board.half_width - margin &&
+             scalar::abs(contact.p_other.y()) < board.half_length - margin);
   }
 
   /// A micro-impact: elastic, so that it takes no energy. One that is too slow to go on from is made as fast as a third

@@ -8,25 +8,6 @@
 
 namespace goishi {
 
-/// How a body with a symmetry axis flies from a state: what `time_of_impact` asks for.
-/// Domain  a state and rates as `free_flight` takes them.
-template <Ordered T>
-[[nodiscard]] FlightPath<T> path_of(const State<T>& state, const TopRates<T>& rates, const Vec3<T>& gravity) {
-  FlightPath<T> path;
-  path.p_W = state.p_WB;
-  path.v_W = state.v_WB;
-  path.a_W = gravity;
-  path.u_W = symmetry_axis(state.q_WB);
-  const T square = formula::dot(state.L_W, state.L_W);
-  // So small that its square has lost digits, it turns nothing.
-  if (std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon() < square) {
-    const T momentum = scalar::sqrt(square);
-    path.k_W = state.L_W / momentum;
-    path.rate = momentum * rates.precession;
-  }
-  return path;
-}
-
 namespace detail {
 
 /// Whether the centre is over the primary region from now to t.
@@ -54,7 +35,7 @@ template <Ordered T>
 [[nodiscard]] T opening_time(const Run<T>& run) {
   const FlightPath<T> path = path_of(run.state, run.rates, run.settings.gravity);
   const GapAlong<T> gap = gap_along(run.stone, path, Vec3<T>(T(0), T(0), T(1)), run.level);
-  const T sure = T(512) * std::numeric_limits<T>::epsilon() * (outer_width(run.stone) + magnitude_of(run.level));
+  const T sure = T(512) * std::numeric_limits<T>::epsilon() * (outer_width(run.stone) + scalar::abs(run.level));
   const T unit = T(1) / run.scales.frequency;
   T closed(0);
   for (T t = T(2e-7) * unit; t < T(0.25) * unit; t = T(2) * t) {

@@ -111,12 +111,12 @@ struct ContactState : ContactFrame<T> {
   [[nodiscard]] T support_guard(const Run<T>& run, const ContactPlace<T>& now, const Variables<T>& where) const {
     const Board<T>& board = *run.board;
     if (!(level < T(0))) {
-      const T across = board.half_width - magnitude_of<T>(where[at::x] + now.r.x());
-      const T along = board.half_length - magnitude_of<T>(where[at::y] + now.r.y());
+      const T across = board.half_width - scalar::abs<T>(where[at::x] + now.r.x());
+      const T along = board.half_length - scalar::abs<T>(where[at::y] + now.r.y());
       return across < along ? across : along;
     }
-    const T across = magnitude_of<T>(where[at::x]) - board.half_width,
-            along = magnitude_of<T>(where[at::y]) - board.half_length;
+    const T across = scalar::abs<T>(where[at::x]) - board.half_width,
+            along = scalar::abs<T>(where[at::y]) - board.half_length;
     const T over = (across < along ? along : across) - run.reach;
     if (T(0) < over) {
       return over;

@@ -332,7 +332,7 @@ class ContactIntegrator {
       if (!(T(0) < braking)) {
         return Course::steps;
       }
-      const T rest = sigma / braking, turned = magnitude_of(T(rest * rate_[at::direction]));
+      const T rest = sigma / braking, turned = scalar::abs(T(rest * rate_[at::direction]));
       const T little = T(0.01) * tolerance * run.scales.speed;
       if (scalar::sq(T(rest * run.scales.frequency / run.scales.thinness)) < T(1e-5) * tolerance &&
           sigma * turned < little) {
@@ -434,7 +434,7 @@ class ContactIntegrator {
     const T momentum = scalar::sqrt(T(momentum2 + scalar::sq(least)));
     const auto place = [&](const T& x) {  // no error is below round-off
       return T(1) /
-             (run.scales.length + T(64) * std::numeric_limits<T>::epsilon() / run.settings.tolerance * magnitude_of(x));
+             (run.scales.length + T(64) * std::numeric_limits<T>::epsilon() / run.settings.tolerance * scalar::abs(x));
     };
     const T& speed = run.scales.speed;
     const T& thin = run.scales.thinness;
@@ -452,7 +452,7 @@ class ContactIntegrator {
                                              equations.weight_of_direction(trial.y, speed, h)};
     T worst(0);
     for (std::size_t i = 0; i < Equations::used; ++i) {
-      const T error = weight[i] * magnitude_of(trial.error[i]);
+      const T error = weight[i] * scalar::abs(trial.error[i]);
       if (!(error <= worst)) {
         worst = error;
       }

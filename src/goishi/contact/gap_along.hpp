@@ -1,28 +1,16 @@
 #pragma once
 /// \file
-/// A stone in free flight as contact sees it, and the gap along one normal as a function of time: explicit, its second
-/// derivative bounded below, so that its first root cannot be jumped over.
+/// The gap of a stone in free flight along one normal, as a function of time: explicit, its second derivative bounded
+/// below, so that its first root cannot be jumped over, and above, so that one that is near is known to be there.
 
 #include <array>
 #include <goishi/contact/stone_plane.hpp>
+#include <goishi/motion/flight_path.hpp>
 #include <goishi/vector.hpp>
 #include <limits>
 #include <string_view>
 
 namespace goishi {
-
-/// How a stone flies: its centre on a parabola, its symmetry axis precessing about a fixed direction.
-///
-///     p(t) = p + v t + a t²/2,   u(t) = (k·u) k + cos(Ω t) (u − (k·u) k) + sin(Ω t) k × u
-template <class T>
-struct FlightPath {
-  Vec3<T> p_W = Vec3<T>::Constant(scalar::unset<T>());  // [m]
-  Vec3<T> v_W = Vec3<T>::Constant(scalar::unset<T>());  // [m/s]
-  Vec3<T> a_W = Vec3<T>::Constant(scalar::unset<T>());  // [m/s²]
-  Vec3<T> u_W = Vec3<T>::Constant(scalar::unset<T>());  // unit, symmetry axis at t = 0
-  Vec3<T> k_W = {T(0), T(0), T(1)};                     // unit, direction of the angular momentum
-  T rate = T(0);                                        // Ω = |L|/I_t [rad/s]
-};
 
 enum class ImpactStatus {
   hit,
@@ -45,23 +33,8 @@ struct Wobble {
 
 namespace formula {
 
-/// Where the centre is at the time t.
-/// Proof  derivations/flight_path.cpp, as of all below but the last.
-template <Field T>
-[[nodiscard]] Vec3<T> centre_at(const FlightPath<T>& path, const T& t) {
-  return path.p_W + t * (path.v_W + t / T(2) * path.a_W);
-}
-
-/// The axis at the time t: u turned about k by Ωt (Rodrigues).
-template <Elementary T>
-[[nodiscard]] Vec3<T> axis_at(const FlightPath<T>& path, const T& t) {
-  const T angle = path.rate * t;
-  const Vec3<T> along = formula::dot(path.k_W, path.u_W) * path.k_W;
-  const auto [s, c] = scalar::sincos(angle);
-  return along + c * (path.u_W - along) + s * path.k_W.cross(path.u_W);
-}
-
 /// A = (k · u)(k · n), B = u · n − A, C = (k × u) · n.
+/// Proof  derivations/flight_path.cpp, as of all below but the last two.
 template <Field T>
 [[nodiscard]] Wobble<T> wobble(const Stone<T>& stone, const FlightPath<T>& path, const Vec3<T>& n) {
   const T along = formula::dot(path.k_W, path.u_W) * formula::dot(path.k_W, n);
@@ -114,14 +87,19 @@ template <Elementary T>
   return T(slope * scalar::sq(rate) * scalar::sqrt(T(scalar::sq(B) + scalar::sq(C))));
 }
 
+/// The most that it adds to H''   [m/s²]: d Ω² √(B² + C²) + Ω² (B² + C²) r₁/cos³ α, the second where the rim's support
+/// bends most, at the joint.
+/// Proof  derivations/support.cpp.
+template <Elementary T>
+[[nodiscard]] T greatest_lift(const Stone<T>& stone, const T& rate, const T& B, const T& C) {
+  const T ring = stone.bevel_major_radius / (stone.joint_cosine * scalar::sq(stone.joint_cosine));
+  return T(formula::greatest_bend(T(stone.sphere_offset), rate, B, C) +
+           scalar::sq(rate) * (scalar::sq(B) + scalar::sq(C)) * ring);
+}
+
 }  // namespace formula
 
 namespace detail {
-
-template <Ordered T>
-[[nodiscard]] T magnitude_of(const T& x) {
-  return x < T(0) ? T(-x) : x;
-}
 
 /// The first time at which H + H' s + c s²/2 is 0, from H > 0, given H'² − 2 c H; infinity if it never is.
 template <Ordered T>
@@ -140,7 +118,7 @@ template <Ordered T>
 /// The same of numbers whose squares are lost: in another unit of length.
 template <Ordered T>
 [[gnu::noinline]] [[nodiscard]] T falling_time_of_little(T height, T rate, T c) {
-  if (height < T(1) && magnitude_of(rate) < T(1) && magnitude_of(c) < T(1)) {
+  if (height < T(1) && scalar::abs(rate) < T(1) && scalar::abs(c) < T(1)) {
     for (T* length : {&height, &rate, &c}) {
       *length = Squares<T>::larger * *length;
     }
@@ -151,63 +129,75 @@ template <Ordered T>
 template <Ordered T>
 [[gnu::always_inline]] [[nodiscard]] inline T falling_time(const T& height, const T& rate, const T& c) {
   const T square = formula::falling_square(height, rate, c);
-  return magnitude_of(square) < Squares<T>::vanished ? falling_time_of_little(height, rate, c)
-                                                     : falling_time_by(square, height, rate, c);
+  return scalar::abs(square) < Squares<T>::vanished ? falling_time_of_little(height, rate, c)
+                                                    : falling_time_by(square, height, rate, c);
 }
 
 /// The gap along a fixed normal as a function of time: H(t) = c₀ + c₁ t + c₂ t²/2 − Σ S(u(t)).
 template <Ordered T>
 class GapAlong {
  public:
-  GapAlong(const T& c0, const T& c1, const T& c2) : c0_(c0), c1_(c1), c2_(c2) { bend_ = c2 < T(0) ? T(-c2) : T(0); }
+  GapAlong(const T& c0, const T& c1, const T& c2)
+      : c0_(c0), c1_(c1), c2_(c2), bend_(scalar::max(T(-c2), T(0))), lift_(scalar::max(c2, T(0))) {}
 
-  /// H'' >= −`bend`: each S is concave in u with |S'| <= d, so it adds at most d Ω² √(B² + C²).
+  /// H'' >= −`bend`: each S is concave in u with |S'| <= d, so it adds at most d Ω² √(B² + C²). H'' <= `lift_`, too.
   void add(const Wobble<T>& part) {
     parts_[static_cast<std::size_t>(count_++)] = part;
-    const T swing = scalar::sqrt(T(scalar::sq(part.B) + scalar::sq(part.C)));
     bend_ = bend_ + formula::greatest_bend(part.stone->sphere_offset, part.rate, part.B, part.C);
+    lift_ = lift_ + formula::greatest_lift(*part.stone, part.rate, part.B, part.C);
     is_loose_ = is_loose_ || T(8) * part.stone->bevel_major_radius < part.stone->sphere_offset;
-    const T least = magnitude_of(part.A) - swing;
-    highest_ = highest_ + support_at(*part.stone, least < T(0) ? T(0) : least);
+    const T swing = scalar::sqrt(T(scalar::sq(part.B) + scalar::sq(part.C)));
+    const T least = scalar::abs(part.A) - swing;
+    highest_ = highest_ + support_at(*part.stone, scalar::max(least, T(0)));
   }
 
   struct Value {
     T gap, rate;
+    scalar::SineCosine<T> turn;  // of the last stone
   };
 
   [[nodiscard]] Value operator()(const T& t) const {
-    Value value{formula::parabola(c0_, c1_, c2_, t), formula::parabola_rate(c1_, c2_, t)};
+    Value value{formula::parabola(c0_, c1_, c2_, t), formula::parabola_rate(c1_, c2_, t), {T(0), T(1)}};
     for (int i = 0; i < count_; ++i) {
       const Wobble<T>& part = parts_[static_cast<std::size_t>(i)];
-      const T angle = part.rate * t;
-      const auto [s, c] = scalar::sincos(angle);
+      value.turn = scalar::sincos(T(part.rate * t));
+      const auto& [s, c] = value.turn;
       const T u = formula::wobble_at(part, c, s), u_rate = formula::wobble_rate(part, c, s);
       const Direction<T> n = seen(u);
-      const bool cap = meets_cap(*part.stone, n);
-      const T& d = part.stone->sphere_offset;
-      value.gap = value.gap - (cap ? formula::cap_support(*part.stone, n.axial, n.radial_square)
-                                   : formula::rim_support(*part.stone, n.radial));
+      const Stone<T>& stone = *part.stone;
+      const bool cap = meets_cap(stone, n);
+      value.gap = value.gap -
+                  (cap ? formula::cap_support(stone, n.axial, n.radial_square) : formula::rim_support(stone, n.radial));
       // −S' by u · n: d on the cap, on either side.
-      value.rate = value.rate + (cap ? (u < T(0) ? T(-d) : d) : formula::rim_slope(*part.stone, u, n.radial)) * u_rate;
+      const T slope = cap ? scalar::signed_as(stone.sphere_offset, u) : formula::rim_slope(stone, u, n.radial);
+      value.rate = value.rate + slope * u_rate;
     }
     return value;
   }
 
   [[nodiscard]] const T& bend() const { return bend_; }
 
+  /// Whether a root is less than ε/4 of the time behind a safe step from where H falls at that rate. After the step H is at
+  /// most (M + M⁺) s²/2, M⁺ the lift, and falls at a rate of H' + 2 M⁺ s or faster until there.
+  [[nodiscard]] bool ends_within(const T& step, const T& rate, const T& time) const {
+    const T slowest = -(rate + T(2) * lift_ * step);
+    return T(0) < slowest &&
+           (bend_ + lift_) * scalar::sq(step) <= std::numeric_limits<T>::epsilon() / T(2) * time * slowest;
+  }
+
   /// Whether `bend` says little of a thin stone that flies tilted: it has the caps' slope, d, and the rim's is far below.
   [[nodiscard]] bool is_loose() const { return is_loose_; }
 
   /// A bound of −H'' from t to t + s: as `bend`, by the slopes that the axis comes to in that time.
   [[nodiscard]] T bend_within(const T& t, const T& s) const {
-    T bend = c2_ < T(0) ? T(-c2_) : T(0);
+    T bend = scalar::max(T(-c2_), T(0));
     for (int i = 0; i < count_; ++i) {
       const Wobble<T>& part = parts_[static_cast<std::size_t>(i)];
       const T angle = part.rate * t, swing = scalar::sqrt(T(scalar::sq(part.B) + scalar::sq(part.C)));
       const auto [sine, cosine] = scalar::sincos(angle);
-      const T now = magnitude_of(formula::wobble_at(part, cosine, sine));
-      const T later = now + swing * magnitude_of(part.rate) * s, most = magnitude_of(part.A) + swing;
-      const Direction<T> n = seen(later < most ? later : most);
+      const T now = scalar::abs(formula::wobble_at(part, cosine, sine));
+      const T later = now + swing * scalar::abs(part.rate) * s, most = scalar::abs(part.A) + swing;
+      const Direction<T> n = seen(scalar::min(later, most));
       const T slope =
           meets_cap(*part.stone, n) ? part.stone->sphere_offset : formula::rim_slope(*part.stone, n.axial, n.radial);
       bend = bend + formula::greatest_bend(slope, part.rate, part.B, part.C);
@@ -224,15 +214,16 @@ class GapAlong {
 
  private:
   [[nodiscard]] static Direction<T> seen(const T& u) {
-    const T m = magnitude_of(u);
+    const T m = scalar::abs(u);
     const T square = (T(1) - m) * (T(1) + m);
-    const T safe = square < T(0) ? T(0) : square;
+    const T safe = scalar::max(square, T(0));
     return {.axial = m, .radial = scalar::sqrt(safe), .radial_square = safe};
   }
   [[nodiscard]] static T support_at(const Stone<T>& stone, const T& u) { return support_value(stone, seen(u)); }
 
   T c0_, c1_, c2_;
-  T bend_ = T(0), highest_ = T(0);
+  T bend_, lift_;
+  T highest_ = T(0);
   bool is_loose_ = false;
   std::array<Wobble<T>, 2> parts_ = {};
   int count_ = 0;
@@ -268,6 +259,8 @@ struct RootSearch {
   ImpactStatus status;
   T time;
   int steps;
+  T seen_at;                     // when the gap was asked for last
+  scalar::SineCosine<T> turned;  // how far the last stone had turned by then
 };
 
 /// What counts as nothing: of a gap [m] and of its rate [m/s], their round-off.
@@ -281,57 +274,63 @@ struct RoundOff {
   }
 };
 
-/// A hit at t; of a gap that T cannot hold, at a time so late, only that nothing touches until the step before.
-template <Ordered T>
-[[nodiscard]] inline RootSearch<T> hit_or_lost(const typename GapAlong<T>::Value& now, const T& t, const T& sure,
-                                               int steps) {
-  return scalar::is_finite(now.gap) ? RootSearch<T>{ImpactStatus::hit, t, steps}
-                                    : RootSearch<T>{ImpactStatus::not_converged, sure, steps};
-}
-
 /// The first time, from `start`, at which the gap along one normal is zero and does not open: a root; the start, if the
-/// bodies touch there; or where the gap comes down to round-off and opens again. At the start it is not below round-off.
+/// bodies touch there; or where the gap comes down to round-off and opens again. Where it may overlap, `overlapping` if it
+/// is below round-off at the start.
 template <Ordered T>
 [[nodiscard]] inline RootSearch<T> first_root(const GapAlong<T>& gap, const T& start, const T& horizon,
-                                              const RoundOff<T>& nothing, int most_steps) {
+                                              const RoundOff<T>& nothing, int most_steps, bool may_overlap = false) {
   T t = start, touch = start;
   bool touched = false;
+  typename GapAlong<T>::Value now{};
   for (int steps = 1; steps <= most_steps; ++steps) {
     const T sure = t;
     t = gap.within_reach(t, nothing.gap);
     if (!(t <= horizon) || !scalar::is_finite(t)) {
-      return {touched ? ImpactStatus::hit : ImpactStatus::none, touched ? touch : horizon, steps};
+      return {touched ? ImpactStatus::hit : ImpactStatus::none, touched ? touch : horizon, steps, sure, now.turn};
     }
-    const typename GapAlong<T>::Value now = gap(t);
+    now = gap(t);
+    // A hit at a time; of a gap that T cannot hold, when it is so late, only that nothing touches until the step before.
+    const auto hit = [&](const T& when) {
+      const bool known = scalar::is_finite(now.gap);
+      return RootSearch<T>{known ? ImpactStatus::hit : ImpactStatus::not_converged, known ? when : sure, steps, t,
+                           now.turn};
+    };
+    if (may_overlap && now.gap < -nothing.gap && !(start < t)) {
+      return {ImpactStatus::overlapping, t, steps, t, now.turn};
+    }
     bool last = false;
     if (nothing.touches(now)) {
       if (!(T(0) < now.gap) || !(start < t)) {
-        return hit_or_lost(now, t, sure, steps);
+        return hit(t);
       }
       // So fast that what is left of the way takes a time that is round-off.
       last = T(512) * std::numeric_limits<T>::epsilon() * now.rate < -nothing.rate;
       touched = true;
       touch = t;
     } else if (touched) {
-      return {ImpactStatus::hit, touch, steps};
+      return hit(touch);
     }
     // On the surface and leaving it: the step is what it takes for the gap to come back at the earliest.
-    const T height = T(0) < now.gap ? now.gap : T(0);
+    const T height = scalar::max(now.gap, T(0));
     const T step =
         gap.is_loose() ? safe_step_within(gap, t, height, now.rate, steps) : safe_step(height, now.rate, gap.bend());
     const T next = t + step;
-    if (last || !(t < next)) {
-      return hit_or_lost(now, last ? next : t, sure, steps);
+    if (last || (next <= horizon && gap.ends_within(step, now.rate, next))) {
+      return hit(next);
+    }
+    if (!(t < next)) {
+      return hit(t);
     }
     t = next;
   }
-  return {ImpactStatus::not_converged, t, most_steps};
+  return {ImpactStatus::not_converged, t, most_steps, t, now.turn};
 }
 
 /// |x| + |y| + |z|.
 template <Ordered T>
 [[nodiscard]] T size_of(const Vec3<T>& v) {
-  return magnitude_of(T(v.x())) + magnitude_of(T(v.y())) + magnitude_of(T(v.z()));
+  return scalar::abs(T(v.x())) + scalar::abs(T(v.y())) + scalar::abs(T(v.z()));
 }
 
 /// Says what is wrong with a path that `require_path` does not take.
@@ -351,22 +350,39 @@ template <Ordered T>
 
 /// Refuses a flight of numbers whose squares T cannot hold: from √max/16 on.
 template <Ordered T>
-void require_path(const Stone<T>& stone, const FlightPath<T>& path) {
+inline void require_path(const Stone<T>& stone, const FlightPath<T>& path) {
   const T& most = Squares<T>::most;
   const T& r = stone.sphere_radius;
-  require_stone(stone);
-  if (!(size_of(path.p_W) < most && size_of(path.v_W) < most && size_of(path.a_W) < most && r < most &&
-        r * scalar::sq(path.rate) < most)) [[unlikely]] {
-    refuse_path(stone, path);
+  const bool held = (size_of(path.p_W) < most) & (size_of(path.v_W) < most) & (size_of(path.a_W) < most) & (r < most) &
+                    (r * scalar::sq(path.rate) < most);
+  if (!((T(0) < stone.height) & held & is_unit(path.u_W) & is_unit(path.k_W))) [[unlikely]] {
+    require_stone(stone);
+    if (!held) {
+      refuse_path(stone, path);
+    }
+    require_direction(path.u_W, "axis");
+    require_direction(path.k_W, "precession axis");
   }
-  require_direction(path.u_W, "axis");
-  require_direction(path.k_W, "precession axis");
 }
 
 template <Ordered T>
+[[nodiscard]] inline Placed<T> placed_at(const Stone<T>& stone, const FlightPath<T>& path, const T& t,
+                                         const scalar::SineCosine<T>& turn) {
+  return {
+      .stone = stone, .p_W = formula::centre_at(path, t), .u_W = formula::reunited(formula::axis_turned(path, turn))};
+}
+template <Ordered T>
 [[nodiscard]] Placed<T> placed_at(const Stone<T>& stone, const FlightPath<T>& path, const T& t) {
-  const Vec3<T> u = formula::axis_at(path, t);
-  return {.stone = stone, .p_W = formula::centre_at(path, t), .u_W = detail::unit(u)};
+  return placed_at(stone, path, t, scalar::sincos(T(path.rate * t)));
+}
+
+/// The same at a root, mostly by the little that it has turned since it was seen.
+template <Ordered T>
+[[nodiscard]] inline Placed<T> placed_at(const Stone<T>& stone, const FlightPath<T>& path, const RootSearch<T>& root) {
+  const T since = path.rate * (root.time - root.seen_at);
+  const bool little = scalar::abs(since) * scalar::sq(since) < std::numeric_limits<T>::epsilon();
+  return little ? placed_at(stone, path, root.time, formula::turned_on(root.turned, since))
+                : placed_at(stone, path, root.time);
 }
 
 }  // namespace detail
