@@ -1,0 +1,188 @@
+#pragma once
+/// \file
+/// The contacts of a cluster where its stones are now, as rows for the solver.
+
+#include <goishi/scene/cluster/sweeps.hpp>
+#include <goishi/scene/world/world.hpp>
+#include <vector>
+
+namespace goishi::detail {
+
+/// Where a row comes from.
+template <class T>
+struct RowSource {
+  ContactMemory<T>* memory;
+  std::size_t first, second;  // stones; no second: the ground
+  T gap;                      // [m] less the clearance
+  Separation<T> contact;
+  Vec3<T> other_v;            // of a second that moves by itself, at the contact
+  T restitution;
+};
+
+template <Ordered T>
+class ClusterContacts {
+ public:
+  Sweeps<T> sweeps;                   // with a row for each
+  std::vector<RowSource<T>> sources;  // likewise
+  std::vector<std::size_t> later;     // pairs that meet so fast that it has to be when they touch
+
+  /// Of stones that are where they are now.
+  void collect(World<T>& world, std::size_t c) {
+    sweeps.clear();
+    sources.clear();
+    later.clear();
+    const std::vector<std::size_t>& stones = world.clusters[c].members;
+    for (std::size_t local = 0; local < stones.size(); ++local) {
+      Member<T>& member = world.members[stones[local]];
+      member.local = local;
+      const Vec3<T> u = symmetry_axis(member.state.q_WB);
+      const Vec3<T> w = formula::turning(member.mobility, u, member.state.L_W);
+      sweeps.movers.push_back({member.mobility, u, member.state.v_WB, w, member.state.v_WB, w, member.reach});
+    }
+    for (const std::size_t i : stones) {
+      touch_ground(world, i);
+      for (const std::size_t k : world.members[i].pairs) {
+        touch_stone(world, i, k);
+      }
+    }
+  }
+
+ private:
+  [[nodiscard]] Placed<T> placed(const Member<T>& member) const {
+    return {member.stone, member.state.p_WB, sweeps.movers[member.local].u};
+  }
+
+  void touch_ground(World<T>& world, std::size_t i) {
+    Member<T>& member = world.members[i];
+    const T low = member.state.p_WB.z() - member.reach;
+    for (std::size_t which = 0; which < 2; ++which) {
+      ContactMemory<T>& memory = member.ground[which];
+      const bool known = memory.listed, is_board = which == 0;
+      memory.listed = false;
+      const Plane<T> floor = floor_of(world.board);
+      if (world.range < low - (is_board ? T(0) : floor.offset)) {
+        continue;
+      }
+      const Separation<T> contact =
+          is_board ? separation(placed(member), world.board) : separation_along(placed(member), floor.n_W, floor.offset);
+      if (contact.gap <= world.range) {
+        static_cast<void>(add(world, memory, known, i, no_index, contact, T(contact.gap)));
+      }
+    }
+  }
+
+  void touch_stone(World<T>& world, std::size_t i, std::size_t k) {
+    PairRecord<T>& pair = world.pairs[k];
+    const std::size_t j = pair.first == i ? pair.second : pair.first;
+    const Member<T>& other = world.members[j];
+    const bool hand = other.keeper == Keeper::hand;
+    if (!hand && (!world.share_cluster(world.members[i], other) || pair.second == i)) {
+      return;
+    }
+    if (!pair.contact.listed && !pair.exact && world.now < pair.due) {
+      return;  // too far for now
+    }
+    const bool known = pair.contact.listed;
+    pair.contact.listed = false;
+    const State<T> at = hand ? world.state_at(other, world.now) : other.state;
+    const Placed<T> two{other.stone, at.p_WB, hand ? symmetry_axis(at.q_WB) : sweeps.movers[other.local].u};
+    const Separation<T> contact = separation(placed(world.members[i]), two);
+    ++world.counters.separations;
+    if (world.range < contact.gap) {
+      world.wait(k, T(contact.gap - world.range), false);
+    } else if (add(world, pair.contact, known, i, j, contact, T(contact.gap - *world.settings.clearance))) {
+      pair.exact = pair.touches = false;
+      world.unschedule(DueKind::pair, k);
+    } else {
+      later.push_back(k);
+    }
+  }
+
+  /// A row; false for what meets so fast that it has to be when it touches.
+  [[nodiscard]] bool add(World<T>& world, ContactMemory<T>& memory, bool known, std::size_t i, std::size_t j,
+                         const Separation<T>& contact, const T& gap) {
+    const T h = *world.settings.step, clearance = *world.settings.clearance;
+    const Member<T>& member = world.members[i];
+    const Member<T>* other = j == no_index ? nullptr : &world.members[j];
+    const bool by_itself = other != nullptr && other->keeper == Keeper::hand;
+    Row<T> row;
+    row.a = member.local;
+    row.b = other == nullptr || by_itself ? no_index : other->local;
+    row.n = contact.n_W;
+    row.ra = formula::minus(contact.p_stone, member.state.p_WB);
+    row.rb = row.other_w = Vec3<T>::Zero();
+    Vec3<T> other_v = Vec3<T>::Zero();
+    if (other != nullptr) {
+      row.rb = formula::minus(contact.p_other, by_itself ? world.state_at(*other, world.now).p_WB : other->state.p_WB);
+    }
+    if (by_itself) {
+      row.other_w = other->w_W;
+      other_v = formula::plus(other->state.v_WB, formula::cross(other->w_W, row.rb));
+    }
+    const T approach = formula::dot(row.n, formula::minus(other_v, sweeps.velocity(row)));
+    const bool recent = world.now < memory.last_impact + h;
+    if (*world.settings.impact_speed < approach && T(2) * clearance < gap && !recent) {
+      return false;
+    }
+    row.friction = other == nullptr ? world.settings.drop.friction : world.settings.friction;
+    row.rolling = other == nullptr ? member.rolling : T((member.rolling + other->rolling) / T(2));
+    row.pivot = other == nullptr ? member.pivot : T((member.pivot + other->pivot) / T(2));
+    prepare(row, sweeps.movers[row.a], row.b == no_index ? nullptr : &sweeps.movers[row.b]);
+    const Vec3<T> turning = other == nullptr ? on_ground(member.stone, row, contact.feature)
+                            : known          ? between(row, memory, T(world.now - memory.time))
+                                             : Vec3<T>(Vec3<T>::Zero());
+    row.bias = row.in_frame(formula::minus(formula::scaled(T(h / T(2)), turning), other_v));
+    row.p = row.torque = Vec3<T>::Zero();
+    if (known && T(0) < memory.weight) {
+      warm(row, memory, T(h / memory.weight));
+    }
+    memory.listed = true;
+    sources.push_back({&memory, i, j, gap, contact, other_v,
+                       other == nullptr ? world.settings.drop.restitution : world.settings.restitution});
+    sweeps.rows.push_back(row);
+    return true;
+  }
+
+  static void warm(Row<T>& row, const ContactMemory<T>& memory, const T& scale) {
+    const Vec3<T> p = row.in_frame(formula::scaled(scale, memory.impulse));
+    if (T(0) < p.z()) {
+      row.p = p;
+      row.torque = formula::scaled(scale, memory.torque);
+    }
+  }
+
+  [[nodiscard]] static Vec3<T> carried(const Mover<T>& mover, const Vec3<T>& r, const Vec3<T>& r_rate) {
+    const T axial = formula::dot(mover.u, mover.w) / (mover.mobility.transverse + mover.mobility.axial);
+    return formula::carried_rate(mover.mobility, mover.u, axial, mover.w, r, r_rate);
+  }
+
+  [[nodiscard]] Vec3<T> on_ground(const Stone<T>& stone, const Row<T>& row, Feature feature) const {
+    const Mover<T>& a = sweeps.movers[row.a];
+    if (feature != Feature::rim) {
+      const T d = feature == Feature::lower_cap ? stone.sphere_offset : T(-stone.sphere_offset);
+      return carried(a, row.ra, formula::cap_contact_rate(d, a.w, a.u));
+    }
+    const SeenNormal<T> seen = see<T>(a.u, row.n);
+    const T n_r = seen.direction.radial;
+    const Vec3<T> e = formula::scaled(T(T(1) / n_r), seen.radial_part);
+    return carried(a, row.ra, formula::rim_contact_rate(stone.bevel_major_radius, a.w, a.u, row.n, e, n_r));
+  }
+
+  /// By what has changed since the last step, unless the contact has jumped to another place.
+  [[nodiscard]] Vec3<T> between(const Row<T>& row, const ContactMemory<T>& memory, const T& age) const {
+    const Vec3<T> n = formula::minus(row.n, memory.n), ra = formula::minus(row.ra, memory.ra),
+                  rb = formula::minus(row.rb, memory.rb);
+    const T far = T(0.04), far_off = far * scalar::sq(sweeps.movers[row.a].reach);
+    if (!(T(0) < age) || far < formula::dot(n, n) || far_off < formula::dot(ra, ra) || far_off < formula::dot(rb, rb)) {
+      return Vec3<T>::Zero();
+    }
+    const T over = T(1) / age;
+    Vec3<T> b = carried(sweeps.movers[row.a], row.ra, formula::scaled(over, ra));
+    if (row.b != no_index) {
+      b = formula::minus(b, carried(sweeps.movers[row.b], row.rb, formula::scaled(over, rb)));
+    }
+    return formula::plus(b, T(over * formula::dot(n, sweeps.velocity(row))), row.n);
+  }
+};
+
+}  // namespace goishi::detail
