@@ -54,6 +54,7 @@ struct SceneCounters {
   long long steps = 0;         // of clusters
   long long stone_steps = 0;   // their stones
   long long cut_steps = 0;     // that something ended early
+  long long retries = 0;       // steps taken again, most of them shorter
   long long solves = 0;
   long long sweeps = 0;
   long long updates = 0;       // of a contact in a sweep

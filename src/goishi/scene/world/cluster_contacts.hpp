@@ -17,6 +17,7 @@ struct RowSource {
   Separation<T> contact;
   Vec3<T> other_v;            // of a second that moves by itself, at the contact
   T restitution;
+  bool known;                 // in the last step, too
 };
 
 template <Ordered T>
@@ -24,13 +25,11 @@ class ClusterContacts {
  public:
   Sweeps<T> sweeps;                   // with a row for each
   std::vector<RowSource<T>> sources;  // likewise
-  std::vector<std::size_t> later;     // pairs that meet so fast that it has to be when they touch
 
   /// Of stones that are where they are now.
   void collect(World<T>& world, std::size_t c) {
     sweeps.clear();
     sources.clear();
-    later.clear();
     const std::vector<std::size_t>& stones = world.clusters[c].members;
     for (std::size_t local = 0; local < stones.size(); ++local) {
       Member<T>& member = world.members[stones[local]];
@@ -43,6 +42,57 @@ class ClusterContacts {
       touch_ground(world, i);
       for (const std::size_t k : world.members[i].pairs) {
         touch_stone(world, i, k);
+      }
+    }
+  }
+
+  /// Where a stone will be, with the velocities that it has in the solver: straight on, and turning freely.
+  [[nodiscard]] static Placed<T> placed_after(const Member<T>& member, const Mover<T>& mover, const T& t) {
+    const T axial = mover.mobility.transverse + mover.mobility.axial;
+    const T spin = mover.mobility.axial * formula::dot(mover.w, mover.u) / axial;
+    // L/I_t = ω − (1/I_a − 1/I_t)(u · L) u
+    const Vec3<T> turn = formula::scaled(t, formula::plus(mover.w, T(-spin), mover.u));
+    const T angle = scalar::sqrt(T(formula::dot(turn, turn) + scalar::tiny<T>()));
+    const T c = scalar::cos(angle), s = scalar::sin(angle);
+    const Vec3<T> k = formula::scaled(T(T(1) / angle), turn), across = formula::cross(k, mover.u);
+    const Vec3<T> u = formula::plus(formula::combination(c, mover.u, s, across),
+                                    T((T(1) - c) * formula::dot(k, mover.u)), k);
+    return {member.stone, formula::plus(member.state.p_WB, t, mover.v), u};
+  }
+
+  /// The gap that a row will have, less the clearance   [m].
+  [[nodiscard]] T gap_after(const World<T>& world, std::size_t k, const T& t) const {
+    const Row<T>& row = sweeps.rows[k];
+    const RowSource<T>& source = sources[k];
+    const Placed<T> one = placed_after(world.members[source.first], sweeps.movers[row.a], t);
+    if (source.second != no_index) {
+      return separation(one, other_after(world, row, source, sweeps, t)).gap - *world.settings.clearance;
+    }
+    return formula::dot(row.n, formula::minus(one.p_W, source.contact.p_other)) -
+           support_value(one.stone, see<T>(one.u_W, row.n).direction);
+  }
+
+  /// What a row asks of a step as long as h: that it closes what there is of a gap; and where it begins, with the impulses of
+  /// the last step. `again`: by the velocities and impulses that were found.
+  void aim(const World<T>& world, std::size_t k, const T& h, bool again) {
+    Row<T>& row = sweeps.rows[k];
+    const RowSource<T>& source = sources[k];
+    const ContactMemory<T>& memory = *source.memory;
+    const Vec3<T> turning = source.second == no_index
+                                ? on_ground(world.members[source.first].stone, row, source.contact.feature)
+                                : between(world, row, source, h, again);
+    row.bias = row.in_frame(formula::minus(formula::scaled(T(h / T(2)), turning), source.other_v));
+    row.bias.z() = row.bias.z() + source.gap / h;
+    if (again) {
+      return;
+    }
+    row.p = row.torque = Vec3<T>::Zero();
+    if (source.known && T(0) < memory.weight) {
+      const T scale = h / memory.weight;
+      const Vec3<T> p = row.in_frame(formula::scaled(scale, memory.impulse));
+      if (T(0) < p.z()) {
+        row.p = p;
+        row.torque = formula::scaled(scale, memory.torque);
       }
     }
   }
@@ -94,7 +144,8 @@ class ClusterContacts {
       pair.exact = pair.touches = false;
       world.unschedule(DueKind::pair, k);
     } else {
-      later.push_back(k);
+      pair.exact = true;  // of so fast ones, when they touch is asked after the step has been chosen
+      pair.touches = false;
     }
   }
 
@@ -128,27 +179,20 @@ class ClusterContacts {
     row.rolling = other == nullptr ? member.rolling : T((member.rolling + other->rolling) / T(2));
     row.pivot = other == nullptr ? member.pivot : T((member.pivot + other->pivot) / T(2));
     prepare(row, sweeps.movers[row.a], row.b == no_index ? nullptr : &sweeps.movers[row.b]);
-    const Vec3<T> turning = other == nullptr ? on_ground(member.stone, row, contact.feature)
-                            : known          ? between(row, memory, T(world.now - memory.time))
-                                             : Vec3<T>(Vec3<T>::Zero());
-    row.bias = row.in_frame(formula::minus(formula::scaled(T(h / T(2)), turning), other_v));
-    row.p = row.torque = Vec3<T>::Zero();
-    if (known && T(0) < memory.weight) {
-      warm(row, memory, T(h / memory.weight));
-    }
+    row.bias = row.p = row.torque = Vec3<T>::Zero();
     memory.listed = true;
     sources.push_back({&memory, i, j, gap, contact, other_v,
-                       other == nullptr ? world.settings.drop.restitution : world.settings.restitution});
+                       other == nullptr ? world.settings.drop.restitution : world.settings.restitution,
+                       known});
     sweeps.rows.push_back(row);
     return true;
   }
 
-  static void warm(Row<T>& row, const ContactMemory<T>& memory, const T& scale) {
-    const Vec3<T> p = row.in_frame(formula::scaled(scale, memory.impulse));
-    if (T(0) < p.z()) {
-      row.p = p;
-      row.torque = formula::scaled(scale, memory.torque);
-    }
+  [[nodiscard]] static Placed<T> other_after(const World<T>& world, const Row<T>& row, const RowSource<T>& source,
+                                             const Sweeps<T>& sweeps, const T& t) {
+    const Member<T>& other = world.members[source.second];
+    return row.b != no_index ? placed_after(other, sweeps.movers[row.b], t)
+                             : sight(world.moving(other), T(world.now + t)).placed;
   }
 
   [[nodiscard]] static Vec3<T> carried(const Mover<T>& mover, const Vec3<T>& r, const Vec3<T>& r_rate) {
@@ -168,12 +212,28 @@ class ClusterContacts {
     return carried(a, row.ra, formula::rim_contact_rate(stone.bevel_major_radius, a.w, a.u, row.n, e, n_r));
   }
 
-  /// By what has changed since the last step, unless the contact has jumped to another place.
-  [[nodiscard]] Vec3<T> between(const Row<T>& row, const ContactMemory<T>& memory, const T& age) const {
-    const Vec3<T> n = formula::minus(row.n, memory.n), ra = formula::minus(row.ra, memory.ra),
-                  rb = formula::minus(row.rb, memory.rb);
+  /// By what has changed since the last step, or, of a contact that is new or has just been hit, will have changed a little
+  /// later. Nothing, if the contact has jumped to another place.
+  [[nodiscard]] Vec3<T> between(const World<T>& world, const Row<T>& row, const RowSource<T>& source, const T& h,
+                                bool again) const {
+    const ContactMemory<T>& memory = *source.memory;
+    T age = world.now - memory.time;
+    Vec3<T> n, ra, rb;
+    if (!again && source.known && T(0) < age && memory.last_impact < world.now) {
+      n = formula::minus(row.n, memory.n);
+      ra = formula::minus(row.ra, memory.ra);
+      rb = formula::minus(row.rb, memory.rb);
+    } else {
+      age = h / T(64);
+      const Placed<T> one = placed_after(world.members[source.first], sweeps.movers[row.a], age);
+      const Placed<T> two = other_after(world, row, source, sweeps, age);
+      const Separation<T> then = separation(one, two);
+      n = formula::minus(then.n_W, row.n);
+      ra = formula::minus(formula::minus(then.p_stone, one.p_W), row.ra);
+      rb = formula::minus(formula::minus(then.p_other, two.p_W), row.rb);
+    }
     const T far = T(0.04), far_off = far * scalar::sq(sweeps.movers[row.a].reach);
-    if (!(T(0) < age) || far < formula::dot(n, n) || far_off < formula::dot(ra, ra) || far_off < formula::dot(rb, rb)) {
+    if (far < formula::dot(n, n) || far_off < formula::dot(ra, ra) || far_off < formula::dot(rb, rb)) {
       return Vec3<T>::Zero();
     }
     const T over = T(1) / age;
@@ -181,7 +241,7 @@ class ClusterContacts {
     if (row.b != no_index) {
       b = formula::minus(b, carried(sweeps.movers[row.b], row.rb, formula::scaled(over, rb)));
     }
-    return formula::plus(b, T(over * formula::dot(n, sweeps.velocity(row))), row.n);
+    return formula::plus(b, T(over * formula::dot(n, formula::minus(sweeps.velocity(row), source.other_v))), row.n);
   }
 };
 

@@ -9,6 +9,7 @@
 ///
 ///     v_n⁺ >= −gap/h − b · n,   no slip: v_t⁺ = −b_t,   b = (h/2)(ω × ṙ + ω̇ × r of the first − of the second + (ṅ · v) n)
 
+#include <cmath>
 #include <goishi/impact/laws.hpp>
 #include <goishi/scene/world/cluster_contacts.hpp>
 
@@ -41,6 +42,7 @@ class ClusterStep {
       return Outcome::leaves;
     }
     meet_fast(world);
+    h_ = step_of(world);
     if (comes_to_rest(world, c)) {
       return Outcome::rests;
     }
@@ -112,6 +114,7 @@ class ClusterStep {
     }
     // Its velocity to the present: what gravity has given since, and the ground has taken.
     Sweeps<T>& sweeps = contacts_.sweeps;
+    h_ = *world.settings.step;
     begin(world, c, T(world.now - member.nominal));
     for (std::size_t k = 0; k < sweeps.rows.size(); ++k) {
       sweeps.rows[k].bias = {T(0), T(0), is_closed(world, contacts_.sources[k]) ? T(0) : far_off(world)};
@@ -211,14 +214,14 @@ class ClusterStep {
     for (std::size_t k = 0; k < stones.size(); ++k) {
       const Member<T>& member = world.members[stones[k]];
       Mover<T>& mover = contacts_.sweeps.movers[k];
-      const T time = weight ? *weight : T(world.now + *world.settings.step / T(2) - member.nominal);
+      const T time = weight ? *weight : T(world.now + h_ / T(2) - member.nominal);
       mover.free_v = formula::plus(member.state.v_WB, time, world.settings.drop.gravity);
       mover.free_w = formula::turning(member.mobility, mover.u, member.state.L_W);
     }
   }
 
   bool solve(World<T>& world, const T& share, int sweeps) {
-    return contacts_.sweeps.solve(T(share * *world.settings.step * world.g), sweeps, world.counters);
+    return contacts_.sweeps.solve(T(share * h_ * world.g), sweeps, world.counters);
   }
 
   /// The stones' velocities from the rows' impulses.
@@ -263,21 +266,68 @@ class ClusterStep {
     }
   }
 
-  void push(World<T>& world, std::size_t c) {
-    const T h = *world.settings.step;
-    const T deepest = -T(4) * *world.settings.clearance;
-    Sweeps<T>& sweeps = contacts_.sweeps;
-    begin(world, c, std::nullopt);
-    for (std::size_t k = 0; k < sweeps.rows.size(); ++k) {
-      RowSource<T>& source = contacts_.sources[k];
-      if (source.gap < deepest) {
-        push_out(world, sweeps.rows[k], source);
-      }
-      sweeps.rows[k].bias.z() = sweeps.rows[k].bias.z() + source.gap / h;
+  /// How long a step may be: what is left of a gap's change after the second order, about c (ω h)³/6, shall be no more than
+  /// twice the clearance.
+  [[nodiscard]] T step_of(const World<T>& world) const {
+    const Sweeps<T>& sweeps = contacts_.sweeps;
+    const T& longest = *world.settings.step;
+    T square(0), reach(0);
+    for (const Mover<T>& mover : sweeps.movers) {
+      square = at_least(square, formula::dot(mover.w, mover.w));
+      reach = at_least(reach, mover.reach);
     }
-    solve(world, world.settings.solver_tolerance, most_sweeps);
+    for (std::size_t k = 0; k < sweeps.rows.size(); ++k) {
+      const Vec3<T> v = formula::minus(sweeps.velocity(sweeps.rows[k]), contacts_.sources[k].other_v);
+      square = at_least(square, T(formula::dot(v, v) / scalar::sq(reach)));
+    }
+    const T angle = cube_root(T(T(12) * *world.settings.clearance / reach));
+    const T step = square * scalar::sq(longest) <= scalar::sq(angle) ? longest : T(angle / scalar::sqrt(square));
+    return at_least(step, T(longest / T(16)));
+  }
+
+  [[nodiscard]] static T cube_root(const T& x) {
+    using std::cbrt;
+    return T(cbrt(x));
+  }
+
+  /// Where the step leads too deep, it is taken again, with how contacts turn by the velocities found; then a shorter one.
+  void push(World<T>& world, std::size_t c) {
+    const T deepest = -T(4) * *world.settings.clearance, shortest = *world.settings.step / T(16);
+    Sweeps<T>& sweeps = contacts_.sweeps;
+    for (std::size_t k = 0; k < sweeps.rows.size(); ++k) {
+      if (contacts_.sources[k].gap < deepest) {
+        push_out(world, sweeps.rows[k], contacts_.sources[k]);
+      }
+    }
+    for (int attempt = 0;; ++attempt) {
+      for (std::size_t k = 0; k < sweeps.rows.size(); ++k) {
+        contacts_.aim(world, k, h_, 0 < attempt);
+      }
+      begin(world, c, std::nullopt);
+      solve(world, world.settings.solver_tolerance, most_sweeps);
+      if (!(shortest < h_) || !leads_too_deep(world)) {
+        break;
+      }
+      h_ = attempt == 0 ? h_ : T(h_ / T(2));
+      ++world.counters.retries;
+    }
+#ifdef SCN_DEBUG
+    if (std::getenv("SCN_TRACE")) for (std::size_t k = 0; k < contacts_.sources.size(); ++k) { auto& so=contacts_.sources[k]; auto& r=sweeps.rows[k];
+      std::fprintf(stderr, "t %.6f h %g row %zu %d gap %g after %g known %d p %g bias %g %g %g vn %g last %g\n", world.now, h_, so.first, so.second==no_index?-1:(int)so.second, so.gap, contacts_.gap_after(world,k,h_), so.known, r.p.z(), r.bias.x(), r.bias.y(), r.bias.z(), formula::dot(r.n, sweeps.velocity(r)), so.memory->last_impact); }
+#endif
     take(world, c);
-    remember(world, h);
+    remember(world, h_);
+  }
+
+  [[nodiscard]] bool leads_too_deep(const World<T>& world) const {
+    for (std::size_t k = 0; k < contacts_.sources.size(); ++k) {
+      const T& gap = contacts_.sources[k].gap;
+      const T lowest = (gap < T(0) ? gap : T(0)) - T(2) * *world.settings.clearance;
+      if (contacts_.gap_after(world, k, h_) < lowest) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /// Out of an overlap, by moving only.
@@ -321,7 +371,7 @@ class ClusterStep {
       }
     }
     ++world.counters.rest_trials;
-    const T h = *world.settings.step;
+    const T& h = h_;
     const Vec3<T> gain = formula::scaled(h, world.settings.drop.gravity);
     for (Mover<T>& mover : sweeps.movers) {
       mover.free_v = gain;
@@ -370,11 +420,10 @@ class ClusterStep {
   /// The way up to the next step: its end is where one of the stones meets the ground, if that is before.
   void drift(World<T>& world, std::size_t c) {
     Cluster<T>& cluster = world.clusters[c];
-    const T h = *world.settings.step;
-    T length = h;
+    T length = h_;
     for (std::size_t k = 0; k < cluster.members.size(); ++k) {
       Member<T>& member = world.members[cluster.members[k]];
-      member.nominal = world.now + h / T(2);
+      member.nominal = world.now + h_ / T(2);
       const Mover<T>& mover = contacts_.sweeps.movers[k];
       const T speed = scalar::sqrt(formula::dot(mover.v, mover.v)) +
                       member.reach * scalar::sqrt(formula::dot(mover.w, mover.w));
@@ -383,9 +432,6 @@ class ClusterStep {
     }
     cluster.end = world.now + length;
     world.schedule(DueKind::step, c, cluster.end);
-    for (const std::size_t k : contacts_.later) {
-      world.ask(k);
-    }
     for (const std::size_t i : cluster.members) {
       for (const std::size_t k : world.members[i].pairs) {
         if (world.pairs[k].exact && !world.is_listed(world.pairs[k])) {
@@ -396,7 +442,7 @@ class ClusterStep {
   }
 
   [[nodiscard]] T meets_ground(const World<T>& world, const Member<T>& member, const T& speed, T length) const {
-    const T least = *world.settings.step / T(1000);
+    const T least = h_ / T(1000);
     const T height = member.state.p_WB.z() - member.reach;
     const auto meet = [&](bool listed, const T& level, const auto& ground) {
       if (listed || speed * length < height - level) {
@@ -414,6 +460,7 @@ class ClusterStep {
   }
 
   static constexpr int most_sweeps = 200;
+  T h_ = T(0);  // [s] of the step at work
   ClusterContacts<T> contacts_;
   std::vector<Row<T>> saved_;
   std::vector<std::size_t> parent_, own_, parts_;

@@ -20,6 +20,9 @@ class SceneCourse {
         return rests();
       }
       world.now = due->time;
+#ifdef SCN_DEBUG
+      static long cnt = 0; static T last(-1); if (last < world.now) { cnt = 0; last = world.now; } if (2000 < ++cnt && cnt < 2040) { std::fprintf(stderr, "t %.9f kind %d id %zu\n", double(world.now), int(due->kind), due->id); } if (cnt > 2040) std::abort();
+#endif
       switch (due->kind) {
         case DueKind::stretch:
           go_on(due->id);
@@ -293,10 +296,6 @@ class SceneCourse {
     const T approach = formula::dot(contact.n_W, formula::minus(point(second), point(first)));
     const bool recent = world.now < pair.contact.last_impact + *world.settings.step;
     if (recent || !(*world.settings.impact_speed < approach)) {
-      if (approach < T(-1e-6) * *world.settings.impact_speed) {
-        world.ask(k);  // they part
-        return;
-      }
       join(i, j);
       return;
     }

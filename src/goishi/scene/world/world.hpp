@@ -222,7 +222,7 @@ class World {
     const Sight<T> seen = sight(one, now), other = sight(two, now);
     const Vec3<T> between = formula::minus(seen.placed.p_W, other.placed.p_W);
     const T spheres = scalar::sqrt(formula::dot(between, between)) - (a.reach + b.reach);
-    if (range < spheres) {
+    if (T(2) * range < spheres) {  // and not by less and less
       wait(k, T(spheres - range), false);
       return;
     }
@@ -235,7 +235,7 @@ class World {
       return;
     }
     const T far = now + (apart.gap - range) / (a.bound + b.bound);
-    if (limit <= far) {
+    if (limit <= far && T(2) * range < apart.gap) {
       wait(k, T(apart.gap - range), false);
       return;
     }
