@@ -132,21 +132,7 @@ class Scene {
     return is_new(member) ? world.drops[member.drop].state() : world.state_at(member, world.now);
   }
 
-  [[nodiscard]] StoneMode mode(StoneId id) const {
-    const detail::World<T>& world = course_.world;
-    const detail::Member<T>& member = world.members[known(id)];
-    if (member.keeper == detail::Keeper::hand) {
-      return StoneMode::held;
-    }
-    if (world.is_asleep(member)) {
-      return StoneMode::rest;
-    }
-    if (member.keeper == detail::Keeper::cluster) {
-      return StoneMode::cluster;
-    }
-    const auto& motion = world.drops[member.drop].stretch().motion;
-    return std::holds_alternative<detail::Touching<T>>(motion) ? StoneMode::contact : StoneMode::flight;
-  }
+  [[nodiscard]] StoneMode mode(StoneId id) const { return mode(known(id)); }
 
   [[nodiscard]] const SceneCounters& counters() const { return course_.world.counters; }
   [[nodiscard]] const Board<T>& board() const { return course_.world.board; }
@@ -163,7 +149,83 @@ class Scene {
     return sum;
   }
 
+  /// What touches now, by the first of two stones. The forces are means of a step or a stretch, those on what rests exact to
+  /// what rest is; unset where a stone leans on two things by itself.
+  [[nodiscard]] std::vector<SceneContact<T>> contacts() const {
+    const detail::World<T>& world = course_.world;
+    std::vector<SceneContact<T>> all;
+    const auto remembered = [&](std::size_t i, std::optional<StoneId> other, const detail::ContactMemory<T>& memory) {
+      if (memory.listed && T(0) < formula::dot(memory.impulse, memory.n)) {
+        all.push_back({StoneId(i), other, memory.p, memory.n, formula::scaled(T(T(1) / memory.weight), memory.impulse)});
+      }
+    };
+    for (std::size_t i = 0; i < world.members.size(); ++i) {
+      const detail::Member<T>& member = world.members[i];
+      if (member.keeper == detail::Keeper::cluster) {
+        for (const detail::ContactMemory<T>& memory : member.ground) {
+          remembered(i, std::nullopt, memory);
+        }
+      } else if (mode(i) == StoneMode::rest || mode(i) == StoneMode::contact) {
+        alone(i, all);
+      }
+      for (const std::size_t k : member.pairs) {
+        const detail::PairRecord<T>& pair = world.pairs[k];
+        // A hand is held against as well as anything: then the stone is the other.
+        const bool first = pair.first == i, by_hand = world.members[pair.first].keeper == detail::Keeper::hand;
+        if (first != by_hand && world.is_listed(pair)) {
+          remembered(i, StoneId(first ? pair.second : pair.first), pair.contact);
+        }
+      }
+    }
+    return all;
+  }
+
   // --- what is done to it
+
+  /// A hand takes a stone: from where it is it moves with a velocity and an angular velocity for a time, whatever it meets, and
+  /// then stands still until it is told otherwise or let go.
+  /// Domain  all finite, duration > 0; the way does not lead into board or floor; else InvalidArgument.
+  void hold(StoneId id, const Vec3<T>& v_WB, const Vec3<T>& w_WB, const T& duration) {
+    const std::size_t i = known(id);
+    detail::World<T>& world = course_.world;
+    require(scalar::is_finite(v_WB), "v_WB", v_WB.transpose(), "must be finite");
+    require(scalar::is_finite(w_WB), "w_WB", w_WB.transpose(), "must be finite");
+    require_positive("duration", duration);
+    detail::Member<T> hand = world.members[i];
+    hand.state = state(id);
+    hand.time = world.now;
+    hand.keeper = detail::Keeper::hand;
+    hand.state.v_WB = v_WB;
+    hand.state.L_W = formula::angular_momentum_W(hand.state.q_WB, hand.body,
+                                                 formula::in_body(hand.state.q_WB, w_WB));
+    hand.w_W = w_WB;
+    hand.hand_end = world.now + duration;
+    require_free_way(hand, duration);
+    course_.take_out(i);
+    detail::Member<T>& member = world.members[i];
+    member.state = hand.state;
+    member.w_W = w_WB;
+    member.hand_end = hand.hand_end;
+    member.keeper = detail::Keeper::hand;
+    world.bound_by(i, T(scalar::sqrt(formula::dot(v_WB, v_WB)) + member.reach * scalar::sqrt(formula::dot(w_WB, w_WB))));
+    world.turn(i);
+    world.schedule(detail::DueKind::stretch, i, member.hand_end);
+  }
+
+  /// Lets a stone go that a hand holds, with the velocities that it has.
+  /// Domain  a stone that is held.
+  void release(StoneId id) {
+    const std::size_t i = known(id);
+    detail::World<T>& world = course_.world;
+    detail::Member<T>& member = world.members[i];
+    require(member.keeper == detail::Keeper::hand, "id", i, "must be that of a stone that is held");
+    const State<T> now = world.state_at(member, world.now);
+    member.w_W = Vec3<T>::Zero();
+    course_.take_up(i, now);
+  }
+
+  /// What hands have done to other stones through one that they hold or held   [J].
+  [[nodiscard]] const T& work(StoneId id) const { return course_.world.members[known(id)].work; }
 
   /// An impulse P at a point of W   [N s], on a stone that no hand holds.
   /// Domain  both finite; else InvalidArgument.
@@ -224,6 +286,66 @@ class Scene {
   }
 
  private:
+  [[nodiscard]] StoneMode mode(std::size_t i) const {
+    const detail::World<T>& world = course_.world;
+    const detail::Member<T>& member = world.members[i];
+    if (member.keeper == detail::Keeper::hand) {
+      return StoneMode::held;
+    }
+    if (world.is_asleep(member)) {
+      return StoneMode::rest;
+    }
+    if (member.keeper == detail::Keeper::cluster) {
+      return StoneMode::cluster;
+    }
+    const auto& motion = world.drops[member.drop].stretch().motion;
+    return std::holds_alternative<detail::Touching<T>>(motion) ? StoneMode::contact : StoneMode::flight;
+  }
+
+  /// What a stone alone touches.
+  void alone(std::size_t i, std::vector<SceneContact<T>>& all) const {
+    const detail::World<T>& world = course_.world;
+    const detail::Member<T>& member = world.members[i];
+    const State<T> now = world.state_at(member, world.now);
+    const Pose<T> pose{now.p_WB, now.q_WB};
+    const Separation<T> board = separation(member.stone, pose, world.board),
+                        floor = separation(member.stone, pose, floor_of(world.board));
+    const Separation<T>& contact = floor.gap < board.gap ? floor : board;
+    SceneContact<T> found{StoneId(i), {}, contact.p_stone, contact.n_W, {}};
+    const Vec3<T>& gravity = world.settings.drop.gravity;
+    if (member.keeper == detail::Keeper::drop) {
+      const Drop<T>& drop = world.drops[member.drop];
+      const detail::Stretch<T>& stretch = drop.stretch();
+      const Vec3<T> gain = formula::minus(drop.state_ahead(stretch.end).v_WB, drop.state_ahead(stretch.begin).v_WB);
+      const T length = stretch.end - stretch.begin;
+      found.force_W = formula::scaled(
+          member.body.mass, formula::minus(formula::scaled(T(T(1) / length), gain), gravity));
+    } else if (member.status == DropStatus::rest) {
+      found.force_W = formula::scaled(T(-member.body.mass), gravity);
+    } else {
+      found.force_W = Vec3<T>::Constant(scalar::unset<T>());
+    }
+    all.push_back(found);
+  }
+
+  /// Throws InvalidArgument if a hand would move a stone into the board or the floor.
+  void require_free_way(const detail::Member<T>& hand, const T& duration) const {
+    const detail::World<T>& world = course_.world;
+    const FlightPath<T> path = world.moving(hand).path;
+    const auto require_free = [&](const auto& ground) {
+      const TimeOfImpact<T> hit = time_of_impact(hand.stone, path, ground, duration);
+      if (hit.status == ImpactStatus::none) {
+        return;
+      }
+      const Vec3<T> arm = formula::minus(hit.contact.p_stone, formula::centre_at(path, hit.time));
+      const T leaving = formula::dot(hit.contact.n_W, formula::plus(path.v_W, formula::cross(hand.w_W, arm)));
+      require(T(-1e-6) * *world.settings.impact_speed <= leaving, "v_WB", path.v_W.transpose(),
+              "moves the stone into what is below, ", hit.time, " s from now");
+    };
+    require_free(world.board);
+    require_free(floor_of(world.board));
+  }
+
   [[nodiscard]] std::size_t known(StoneId id) const {
     require(has(id), "id", static_cast<std::size_t>(id), "must be that of a stone of the scene");
     return static_cast<std::size_t>(id);
