@@ -264,7 +264,6 @@ class Scene {
       require_settings(settings.drop, member.stone);
     }
     world.sink = sink;
-    const DropSettings<T> last = world.settings.drop;
     world.given = world.settings = settings;
     if (!world.members.empty()) {
       fill(world.members.front().stone.width);

@@ -62,6 +62,7 @@ struct Row {
   /// What is added to the velocity of the first relative to the second before it is judged: a gap that may close, that the
   /// bodies turn, that the second moves by itself. In the contact's frame.
   Vec3<T> bias;
+  T turning;  // [m/s] b · n, what of it is due to turning
 
   ContactMatrix<T> W;
   Tangential<T> S;

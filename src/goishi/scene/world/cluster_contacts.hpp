@@ -83,6 +83,7 @@ class ClusterContacts {
                                 : between(world, row, source, h, again);
     row.bias = row.in_frame(formula::minus(formula::scaled(T(h / T(2)), turning), source.other_v));
     row.bias.z() = row.bias.z() + source.gap / h;
+    row.turning = h / T(2) * formula::dot(row.n, turning);
     if (again) {
       return;
     }
@@ -100,6 +101,11 @@ class ClusterContacts {
  private:
   [[nodiscard]] Placed<T> placed(const Member<T>& member) const {
     return {member.stone, member.state.p_WB, sweeps.movers[member.local].u};
+  }
+
+  /// Where both bodies get their impulses: one point, so that they keep the angular momentum.
+  [[nodiscard]] static Vec3<T> middle(const Separation<T>& contact) {
+    return formula::plus(contact.p_stone, T(-contact.gap / T(2)), contact.n_W);
   }
 
   void touch_ground(World<T>& world, std::size_t i) {
@@ -160,11 +166,12 @@ class ClusterContacts {
     row.a = member.local;
     row.b = other == nullptr || by_itself ? no_index : other->local;
     row.n = contact.n_W;
-    row.ra = formula::minus(contact.p_stone, member.state.p_WB);
+    const Vec3<T> p = middle(contact);
+    row.ra = formula::minus(p, member.state.p_WB);
     row.rb = row.other_w = Vec3<T>::Zero();
     Vec3<T> other_v = Vec3<T>::Zero();
     if (other != nullptr) {
-      row.rb = formula::minus(contact.p_other, by_itself ? world.state_at(*other, world.now).p_WB : other->state.p_WB);
+      row.rb = formula::minus(p, by_itself ? world.state_at(*other, world.now).p_WB : other->state.p_WB);
     }
     if (by_itself) {
       row.other_w = other->w_W;
@@ -229,8 +236,9 @@ class ClusterContacts {
       const Placed<T> two = other_after(world, row, source, sweeps, age);
       const Separation<T> then = separation(one, two);
       n = formula::minus(then.n_W, row.n);
-      ra = formula::minus(formula::minus(then.p_stone, one.p_W), row.ra);
-      rb = formula::minus(formula::minus(then.p_other, two.p_W), row.rb);
+      const Vec3<T> p = middle(then);
+      ra = formula::minus(formula::minus(p, one.p_W), row.ra);
+      rb = formula::minus(formula::minus(p, two.p_W), row.rb);
     }
     const T far = T(0.04), far_off = far * scalar::sq(sweeps.movers[row.a].reach);
     if (far < formula::dot(n, n) || far_off < formula::dot(ra, ra) || far_off < formula::dot(rb, rb)) {

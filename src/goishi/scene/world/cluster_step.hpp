@@ -199,7 +199,7 @@ class ClusterStep {
       const State<T> was = second->state;
       give(source.second, source.first, contacts_.sweeps.movers[row.b], impact.second, was, T(-1));
     } else if (second != nullptr) {
-      second->work = second->work - formula::dot(impact.impulse.impulse_W, source.other_v);
+      second->work = second->work + formula::dot(impact.impulse.impulse_W, source.other_v);
     }
     if (second != nullptr) {
       ++world.counters.pair_impacts;
@@ -260,7 +260,7 @@ class ClusterStep {
         Member<T>&one = world.members[source.first], &two = world.members[source.second];
         one.last_touch = two.last_touch = world.now;
         if (two.keeper == Keeper::hand) {
-          two.work = two.work - formula::dot(memory.impulse, source.other_v) - formula::dot(row.torque, row.other_w);
+          two.work = two.work + formula::dot(memory.impulse, source.other_v) + formula::dot(row.torque, row.other_w);
         }
       }
     }
@@ -311,19 +311,29 @@ class ClusterStep {
       h_ = attempt == 0 ? h_ : T(h_ / T(2));
       ++world.counters.retries;
     }
-#ifdef SCN_DEBUG
-    if (std::getenv("SCN_TRACE")) for (std::size_t k = 0; k < contacts_.sources.size(); ++k) { auto& so=contacts_.sources[k]; auto& r=sweeps.rows[k];
-      std::fprintf(stderr, "t %.6f h %g row %zu %d gap %g after %g known %d p %g bias %g %g %g vn %g last %g\n", world.now, h_, so.first, so.second==no_index?-1:(int)so.second, so.gap, contacts_.gap_after(world,k,h_), so.known, r.p.z(), r.bias.x(), r.bias.y(), r.bias.z(), formula::dot(r.n, sweeps.velocity(r)), so.memory->last_impact); }
-#endif
     take(world, c);
     remember(world, h_);
   }
 
+  /// A gap goes from g to nothing, and bends on the way as b has it: in the middle it is g/2 − b h/4.
   [[nodiscard]] bool leads_too_deep(const World<T>& world) const {
+    const Sweeps<T>& sweeps = contacts_.sweeps;
+    const T slack = T(2) * *world.settings.clearance;
     for (std::size_t k = 0; k < contacts_.sources.size(); ++k) {
+      const Row<T>& row = sweeps.rows[k];
       const T& gap = contacts_.sources[k].gap;
-      const T lowest = (gap < T(0) ? gap : T(0)) - T(2) * *world.settings.clearance;
-      if (contacts_.gap_after(world, k, h_) < lowest) {
+      const T lowest = (gap < T(0) ? gap : T(0)) - slack;
+      if (T(0) < row.p.z() && gap / T(2) - row.turning * h_ / T(4) < lowest - slack) {
+        return true;
+      }
+      // So slow that nothing bends by more than that.
+      const Mover<T>& a = sweeps.movers[row.a];
+      const Vec3<T> v = formula::minus(sweeps.velocity(row), contacts_.sources[k].other_v);
+      T square = formula::dot(a.w, a.w) + formula::dot(v, v) / scalar::sq(a.reach);
+      if (row.b != no_index) {
+        square = square + formula::dot(sweeps.movers[row.b].w, sweeps.movers[row.b].w);
+      }
+      if (slack < a.reach * square * scalar::sq(h_) && contacts_.gap_after(world, k, h_) < lowest) {
         return true;
       }
     }

@@ -20,9 +20,6 @@ class SceneCourse {
         return rests();
       }
       world.now = due->time;
-#ifdef SCN_DEBUG
-      static long cnt = 0; static T last(-1); if (last < world.now) { cnt = 0; last = world.now; } if (2000 < ++cnt && cnt < 2040) { std::fprintf(stderr, "t %.9f kind %d id %zu\n", double(world.now), int(due->kind), due->id); } if (cnt > 2040) std::abort();
-#endif
       switch (due->kind) {
         case DueKind::stretch:
           go_on(due->id);
