@@ -22,6 +22,7 @@ namespace formula {
 
 /// S = W_tt − w wᵀ/W_nn and w/W_nn: what an impulse across the normal does to the velocity there, if one along the normal
 /// keeps that along it.
+/// Proof  derivations/scene.cpp.
 template <Field T>
 [[nodiscard]] inline detail::Tangential<T> tangential(const ContactMatrix<T>& W) {
   const T x = W.xz / W.zz, y = W.yz / W.zz;
@@ -29,6 +30,7 @@ template <Field T>
 }
 
 /// p_n = −f_n/W_nn − (w/W_nn) · p_t, which takes the normal velocity to zero.
+/// Proof  derivations/scene.cpp.
 template <Field T>
 [[nodiscard]] inline T closing_normal(const detail::Tangential<T>& S, const T& closing, const T& x, const T& y) {
   return closing - (S.x * x + S.y * y);

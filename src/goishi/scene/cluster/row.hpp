@@ -15,6 +15,7 @@ namespace formula {
 
 /// By how much the velocity of the point at r changes in time because the body turns, with no impulse   [m/s²]: ω × ṙ +
 /// ω̇ × r. L does not change, so that ω̇ = (1/I_a − 1/I_t)(u · L) ω × u.
+/// Proof  derivations/scene.cpp.
 template <Field T>
 [[nodiscard]] inline Vec3<T> carried_rate(const Mobility<T>& mobility, const Vec3<T>& u, const T& axial_momentum,
                                           const Vec3<T>& w, const Vec3<T>& r, const Vec3<T>& r_rate) {
@@ -23,12 +24,14 @@ template <Field T>
 }
 
 /// ṙ of the point of a plane that a cap touches, from the centre: r = ± d u − r n, `offset` = ± d.
+/// Proof  derivations/scene.cpp.
 template <Field T>
 [[nodiscard]] inline Vec3<T> cap_contact_rate(const T& offset, const Vec3<T>& w, const Vec3<T>& u) {
   return formula::scaled(offset, formula::cross(w, u));
 }
 
 /// ṙ of the point of a plane that the rim touches: r = −r₁ e − r₂ n, e the unit vector along n − (u · n) u, n_r its length.
+/// Proof  derivations/scene.cpp.
 template <Field T>
 [[nodiscard]] inline Vec3<T> rim_contact_rate(const T& major_radius, const Vec3<T>& w, const Vec3<T>& u,
                                               const Vec3<T>& n, const Vec3<T>& e, const T& n_r) {

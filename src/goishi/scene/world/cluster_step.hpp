@@ -282,7 +282,7 @@ class ClusterStep {
     }
     const T angle = cube_root(T(T(12) * *world.settings.clearance / reach));
     const T step = square * scalar::sq(longest) <= scalar::sq(angle) ? longest : T(angle / scalar::sqrt(square));
-    return at_least(step, T(longest / T(16)));
+    return at_least(step, T(longest / T(256)));
   }
 
   [[nodiscard]] static T cube_root(const T& x) {
@@ -292,7 +292,7 @@ class ClusterStep {
 
   /// Where the step leads too deep, it is taken again, with how contacts turn by the velocities found; then a shorter one.
   void push(World<T>& world, std::size_t c) {
-    const T deepest = -T(4) * *world.settings.clearance, shortest = *world.settings.step / T(16);
+    const T deepest = -T(4) * *world.settings.clearance, shortest = *world.settings.step / T(256);
     Sweeps<T>& sweeps = contacts_.sweeps;
     for (std::size_t k = 0; k < sweeps.rows.size(); ++k) {
       if (contacts_.sources[k].gap < deepest) {
@@ -305,17 +305,33 @@ class ClusterStep {
       }
       begin(world, c, std::nullopt);
       solve(world, world.settings.solver_tolerance, most_sweeps);
-      if (!(shortest < h_) || !leads_too_deep(world)) {
+      const bool bends = bends_too_far(world);
+      if (!(shortest < h_) || !(bends || leads_too_deep(world))) {
         break;
       }
-      h_ = attempt == 0 ? h_ : T(h_ / T(2));
+      h_ = attempt == 0 && !bends ? h_ : T(h_ / T(2));
       ++world.counters.retries;
     }
     take(world, c);
     remember(world, h_);
   }
 
-  /// A gap goes from g to nothing, and bends on the way as b has it: in the middle it is g/2 − b h/4.
+  /// Whether a gap is too deep in the middle of the step: g + v_n h/2 + b h/4, b as turning has it.
+  [[nodiscard]] bool bends_too_far(const World<T>& world) const {
+    const T lowest = -T(4) * *world.settings.clearance;
+    for (std::size_t k = 0; k < contacts_.sources.size(); ++k) {
+      const Row<T>& row = contacts_.sweeps.rows[k];
+      const RowSource<T>& source = contacts_.sources[k];
+      const T v = formula::dot(row.n, formula::minus(contacts_.sweeps.velocity(row), source.other_v));
+      const T middle = source.gap + h_ / T(2) * (v + row.turning / T(2));
+      if (middle < (source.gap < T(0) ? T(source.gap + lowest) : lowest)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Whether one is at the end.
   [[nodiscard]] bool leads_too_deep(const World<T>& world) const {
     const Sweeps<T>& sweeps = contacts_.sweeps;
     const T slack = T(2) * *world.settings.clearance;
@@ -323,9 +339,6 @@ class ClusterStep {
       const Row<T>& row = sweeps.rows[k];
       const T& gap = contacts_.sources[k].gap;
       const T lowest = (gap < T(0) ? gap : T(0)) - slack;
-      if (T(0) < row.p.z() && gap / T(2) - row.turning * h_ / T(4) < lowest - slack) {
-        return true;
-      }
       // So slow that nothing bends by more than that.
       const Mover<T>& a = sweeps.movers[row.a];
       const Vec3<T> v = formula::minus(sweeps.velocity(row), contacts_.sources[k].other_v);
@@ -391,9 +404,10 @@ class ClusterStep {
     for (std::size_t k = 0; k < sweeps.rows.size(); ++k) {
       Row<T>& row = sweeps.rows[k];
       saved_.push_back(row);
+      contacts_.aim(world, k, h_, false);  // from the impulses of the last step
       row.bias = {T(0), T(0), is_closed(world, contacts_.sources[k]) ? T(0) : far_off(world)};
     }
-    const bool solved = solve(world, T(1e-5), 4 * most_sweeps);
+    const bool solved = solve(world, T(1e-6), 4 * most_sweeps);
     const T still = T(1e-4) * h * world.g;
     bool rests = solved;
     for (const Mover<T>& mover : sweeps.movers) {
