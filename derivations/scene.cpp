@@ -32,12 +32,10 @@ the normal is chosen so that it does not move there; $w$ is the part of $W$ that
   const ex normal = formula::closing_normal<ex>(S, -f.z() / W.zz, x, y);
   const Vector after = formula::product<ex>(W, Vector(x, y, normal)) + f;
   document.equation("p_n", normal);
-  document.prove({.text = "$v_n = 0$",
-                  .result = normal,
-                  .witness = -(f.z() + W.xz * x + W.yz * y) / W.zz});
+  document.prove({.text = "$v_n = 0$", .result = normal, .witness = -(f.z() + W.xz * x + W.yz * y) / W.zz});
   document.prove({.text = R"($v_t = S p_t + f_t - w f_n/W_{nn}$)",
-                  .result = components(Vector(S.xx * x + S.xy * y + f.x() - S.x * f.z(),
-                                              S.xy * x + S.yy * y + f.y() - S.y * f.z(), 0)),
+                  .result = components(
+                      Vector(S.xx * x + S.xy * y + f.x() - S.x * f.z(), S.xy * x + S.yy * y + f.y() - S.y * f.z(), 0)),
                   .witness = components(after)});
 }
 
@@ -69,9 +67,11 @@ $n$ at $r = \pm d u - R n$. The rim touches it at $r = -r_1 e - r_2 n$, $e$ alon
   const Vector axis = u + t * turns.cross(u);
   const Vector moved = formula::turning<ex>(body, axis, L).cross(Vector(r + t * r_rate));
   const auto now = [&](const ex& form) { return form.diff(t).subs(t == 0); };
-  document.prove({.text = R"(the velocity $\omega \times r$ of the contact changes by $\dot\omega \times r + \omega \times \dot r$)",
-                  .result = components(formula::carried_rate<ex>(body, u, u.dot(L), turns, r, r_rate)),
-                  .witness = components(Vector(now(moved.x()), now(moved.y()), now(moved.z())))});
+  document.prove(
+      {.text =
+           R"(the velocity $\omega \times r$ of the contact changes by $\dot\omega \times r + \omega \times \dot r$)",
+       .result = components(formula::carried_rate<ex>(body, u, u.dot(L), turns, r, r_rate)),
+       .witness = components(Vector(now(moved.x()), now(moved.y()), now(moved.z())))});
 }
 
 }  // namespace

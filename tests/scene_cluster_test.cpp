@@ -88,8 +88,8 @@ TEST(SceneCluster, OneOnThreeOthers) {
     scene.add(kind.stone, kind.body, lying(out * std::cos(angle), out * std::sin(angle), 0.0046));
   }
   // Caps on caps: centres of spheres two radii apart.
-  const double height = 0.0046 + std::sqrt(std::pow(2 * kind.stone.sphere_radius, 2) - out * out) -
-                        2 * kind.stone.sphere_offset;
+  const double height =
+      0.0046 + std::sqrt(std::pow(2 * kind.stone.sphere_radius, 2) - out * out) - 2 * kind.stone.sphere_offset;
   const StoneId top = scene.add(kind.stone, kind.body, lying(0, 0, height + 1e-6));
   ASSERT_TRUE(scene.run_until_rest(2));
   EXPECT_NEAR(scene.state(top).p_WB.z(), height, 5e-6);

@@ -77,9 +77,7 @@ class Drop {
     present_ = stand();
   }
 
-  [[nodiscard]] DropPast<T> past() const {
-    return {now_, begun_, run_.counters, run_.ground, run_.lower_order};
-  }
+  [[nodiscard]] DropPast<T> past() const { return {now_, begun_, run_.counters, run_.ground, run_.lower_order}; }
 
   // --- going on
 

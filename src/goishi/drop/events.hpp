@@ -108,8 +108,7 @@ class Sink {
  public:
   Sink() = default;
   Sink(std::vector<E>& events)  // NOLINT(google-explicit-constructor): an argument
-      : to_(&events),
-        call_([](void* to, const E& event) { static_cast<std::vector<E>*>(to)->push_back(event); }) {}
+      : to_(&events), call_([](void* to, const E& event) { static_cast<std::vector<E>*>(to)->push_back(event); }) {}
   template <std::invocable<const E&> F>
   requires(!std::same_as<std::remove_cvref_t<F>, Sink>)
       Sink(F&& function)  // NOLINT(google-explicit-constructor,bugprone-forwarding-reference-overload): likewise

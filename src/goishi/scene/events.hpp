@@ -47,18 +47,19 @@ struct SceneContact {
 
 /// What was computed, so that it can be seen what was not.
 struct SceneCounters {
-  long long stretches = 0;     // of stones alone
-  long long separations = 0;   // of two stones
+  long long stretches = 0;    // of stones alone
+  long long looks = 0;        // at two stones that may touch
+  long long separations = 0;  // of two stones
   long long pair_impacts = 0;
-  long long joins = 0;         // of a stone or a cluster to a cluster
-  long long steps = 0;         // of clusters
-  long long stone_steps = 0;   // their stones
-  long long cut_steps = 0;     // that something ended early
-  long long retries = 0;       // steps taken again, most of them shorter
+  long long joins = 0;        // of a stone or a cluster to a cluster
+  long long steps = 0;        // of clusters
+  long long stone_steps = 0;  // their stones
+  long long cut_steps = 0;    // that something ended early
+  long long retries = 0;      // steps taken again, most of them shorter
   long long solves = 0;
   long long sweeps = 0;
-  long long updates = 0;       // of a contact in a sweep
-  long long unsolved = 0;      // ended by their number of sweeps
+  long long updates = 0;   // of a contact in a sweep
+  long long unsolved = 0;  // ended by their number of sweeps
   long long rest_trials = 0;
 };
 

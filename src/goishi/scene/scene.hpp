@@ -94,7 +94,8 @@ class Scene {
   /// Goes on for a time, and tells of the events on its way, those at its end included.
   /// Domain  dt > 0 and finite; else InvalidArgument.
   void advance(const T& dt, SceneSink<T> sink = {}) {
-    require(T(0) < dt && scalar::is_finite(T(time() + dt)), "dt", dt, "must be positive and finite, the time after it too");
+    require(T(0) < dt && scalar::is_finite(T(time() + dt)), "dt", dt,
+            "must be positive and finite, the time after it too");
     advance_to(T(time() + dt), sink);
   }
 
@@ -156,7 +157,8 @@ class Scene {
     std::vector<SceneContact<T>> all;
     const auto remembered = [&](std::size_t i, std::optional<StoneId> other, const detail::ContactMemory<T>& memory) {
       if (memory.listed && T(0) < formula::dot(memory.impulse, memory.n)) {
-        all.push_back({StoneId(i), other, memory.p, memory.n, formula::scaled(T(T(1) / memory.weight), memory.impulse)});
+        all.push_back(
+            {StoneId(i), other, memory.p, memory.n, formula::scaled(T(T(1) / memory.weight), memory.impulse)});
       }
     };
     for (std::size_t i = 0; i < world.members.size(); ++i) {
@@ -196,8 +198,7 @@ class Scene {
     hand.time = world.now;
     hand.keeper = detail::Keeper::hand;
     hand.state.v_WB = v_WB;
-    hand.state.L_W = formula::angular_momentum_W(hand.state.q_WB, hand.body,
-                                                 formula::in_body(hand.state.q_WB, w_WB));
+    hand.state.L_W = formula::angular_momentum_W(hand.state.q_WB, hand.body, formula::in_body(hand.state.q_WB, w_WB));
     hand.w_W = w_WB;
     hand.hand_end = world.now + duration;
     require_free_way(hand, duration);
@@ -207,7 +208,8 @@ class Scene {
     member.w_W = w_WB;
     member.hand_end = hand.hand_end;
     member.keeper = detail::Keeper::hand;
-    world.bound_by(i, T(scalar::sqrt(formula::dot(v_WB, v_WB)) + member.reach * scalar::sqrt(formula::dot(w_WB, w_WB))));
+    world.bound_by(i,
+                   T(scalar::sqrt(formula::dot(v_WB, v_WB)) + member.reach * scalar::sqrt(formula::dot(w_WB, w_WB))));
     world.turn(i);
     world.schedule(detail::DueKind::stretch, i, member.hand_end);
   }
@@ -241,8 +243,7 @@ class Scene {
       course_.wake(member.cluster);
       const State<T> before = member.state;
       member.state.v_WB = formula::plus(before.v_WB, member.mobility.linear, P_W);
-      member.state.L_W =
-          formula::plus(before.L_W, formula::cross(formula::minus(p_W, before.p_WB), P_W));
+      member.state.L_W = formula::plus(before.L_W, formula::cross(formula::minus(p_W, before.p_WB), P_W));
       world.tell(i, detail::no_index, EventKind::push, before, member.state, [&](Event<T>& event) {
         event.impulse_W = P_W;
         event.contact_W = p_W;
@@ -317,8 +318,8 @@ class Scene {
       const detail::Stretch<T>& stretch = drop.stretch();
       const Vec3<T> gain = formula::minus(drop.state_ahead(stretch.end).v_WB, drop.state_ahead(stretch.begin).v_WB);
       const T length = stretch.end - stretch.begin;
-      found.force_W = formula::scaled(
-          member.body.mass, formula::minus(formula::scaled(T(T(1) / length), gain), gravity));
+      found.force_W =
+          formula::scaled(member.body.mass, formula::minus(formula::scaled(T(T(1) / length), gain), gravity));
     } else if (member.status == DropStatus::rest) {
       found.force_W = formula::scaled(T(-member.body.mass), gravity);
     } else {

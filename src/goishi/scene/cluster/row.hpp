@@ -59,13 +59,13 @@ struct Mover {
 template <class T>
 struct Row {
   std::size_t a = no_index, b = no_index;  // bodies; no second one: what does not answer
-  Vec3<T> n, t1, t2;               // unit, n out of the second
-  Vec3<T> ra, rb;                  // from the centres to the contact
+  Vec3<T> n, t1, t2;                       // unit, n out of the second
+  Vec3<T> ra, rb;                          // from the centres to the contact
   T friction, rolling, pivot;
   /// What is added to the velocity of the first relative to the second before it is judged: a gap that may close, that the
   /// bodies turn, that the second moves by itself. In the contact's frame.
   Vec3<T> bias;
-  T turning;  // [m/s] b · n, what of it is due to turning
+  T turning = T(0);  // [m/s] b · n, what of it is due to turning
 
   ContactMatrix<T> W;
   Tangential<T> S;
@@ -97,7 +97,8 @@ template <Ordered T>
 
 template <Ordered T>
 [[nodiscard]] inline ContactMatrix<T> inverted(const ContactMatrix<T>& A) {
-  const Vec3<T> x = formula::solution(A, Vec3<T>(T(1), T(0), T(0))), y = formula::solution(A, Vec3<T>(T(0), T(1), T(0))),
+  const Vec3<T> x = formula::solution(A, Vec3<T>(T(1), T(0), T(0))),
+                y = formula::solution(A, Vec3<T>(T(0), T(1), T(0))),
                 z = formula::solution(A, Vec3<T>(T(0), T(0), T(1)));
   return {.xx = x.x(), .yy = y.y(), .zz = z.z(), .xy = y.x(), .xz = z.x(), .yz = z.y()};
 }

@@ -81,7 +81,8 @@ template <Ordered T>
       const bool none_till_then = root.status == ImpactStatus::none;
       step = none_till_then ? std::numeric_limits<T>::infinity() : step < root.time ? root.time : step;
     } else {
-      const T bound = T(0) < bend || leaving < T(0) ? safe_step(open, leaving, bend) : std::numeric_limits<T>::infinity();
+      const T bound =
+          T(0) < bend || leaving < T(0) ? safe_step(open, leaving, bend) : std::numeric_limits<T>::infinity();
       step = step < bound ? bound : step;
     }
     if (!(t + step < limit)) {

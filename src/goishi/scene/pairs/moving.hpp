@@ -13,11 +13,11 @@ namespace goishi::detail {
 template <class T>
 struct Moving {
   const Stone<T>* stone = nullptr;
-  const ContactBody<T>* body = nullptr;    // of a stretch of contact
-  const Touching<T>* touching = nullptr;   // likewise; else it flies
-  FlightPath<T> path = {};                 // from `begin`
-  T begin = T(0), end = T(0);              // [s]
-  T speed = T(0);                          // [m/s] of any point of its surface, as long as nothing else touches it
+  const ContactBody<T>* body = nullptr;   // of a stretch of contact
+  const Touching<T>* touching = nullptr;  // likewise; else it flies
+  FlightPath<T> path = {};                // from `begin`
+  T begin = T(0), end = T(0);             // [s]
+  T speed = T(0);                         // [m/s] of any point of its surface, as long as nothing else touches it
 };
 
 /// Where it is and how it moves at a time. The turning about its own axis moves no surface, and is left out of a flight's.
@@ -40,7 +40,15 @@ template <Ordered T>
             now.w};
   }
   const FlightPath<T>& path = moving.path;
-  return {placed_at(*moving.stone, path, t), formula::plus(path.v_W, t, path.a_W), formula::scaled(path.rate, path.k_W)};
+  return {placed_at(*moving.stone, path, t), formula::plus(path.v_W, t, path.a_W),
+          formula::scaled(path.rate, path.k_W)};
+}
+
+/// Only where its centre is.
+template <Ordered T>
+[[nodiscard]] Vec3<T> centre(const Moving<T>& moving, const T& time) {
+  return moving.touching != nullptr ? sight(moving, time).placed.p_W
+                                    : formula::centre_at(moving.path, T(time - moving.begin));
 }
 
 /// The most that −H'' of a gap along a fixed normal gets from this stone   [m/s²].
@@ -84,8 +92,7 @@ template <Ordered T>
   if (const auto* flying = std::get_if<Flying<T>>(&stretch.motion)) {
     const T horizon = *filled(drop.settings(), drop.stone(), drop.contact_body().strength).horizon;
     const T length = stretch.end - stretch.begin < horizon ? T(stretch.end - stretch.begin) : horizon;
-    const T first = size(flying->from.v_WB),
-            last = size(formula::plus(flying->from.v_WB, length, flying->gravity));
+    const T first = size(flying->from.v_WB), last = size(formula::plus(flying->from.v_WB, length, flying->gravity));
     return (first < last ? last : first) + reach * rates.precession * size(flying->from.L_W);
   }
   if (const auto* bouncing = std::get_if<Bouncing<T>>(&stretch.motion)) {

@@ -15,9 +15,9 @@ struct RowSource {
   std::size_t first, second;  // stones; no second: the ground
   T gap;                      // [m] less the clearance
   Separation<T> contact;
-  Vec3<T> other_v;            // of a second that moves by itself, at the contact
+  Vec3<T> other_v;  // of a second that moves by itself, at the contact
   T restitution;
-  bool known;                 // in the last step, too
+  bool known;  // in the last step, too
 };
 
 template <Ordered T>
@@ -55,8 +55,8 @@ class ClusterContacts {
     const T angle = scalar::sqrt(T(formula::dot(turn, turn) + scalar::tiny<T>()));
     const T c = scalar::cos(angle), s = scalar::sin(angle);
     const Vec3<T> k = formula::scaled(T(T(1) / angle), turn), across = formula::cross(k, mover.u);
-    const Vec3<T> u = formula::plus(formula::combination(c, mover.u, s, across),
-                                    T((T(1) - c) * formula::dot(k, mover.u)), k);
+    const Vec3<T> u =
+        formula::plus(formula::combination(c, mover.u, s, across), T((T(1) - c) * formula::dot(k, mover.u)), k);
     return {member.stone, formula::plus(member.state.p_WB, t, mover.v), u};
   }
 
@@ -72,6 +72,18 @@ class ClusterContacts {
            support_value(one.stone, see<T>(one.u_W, row.n).direction);
   }
 
+  /// How fast the bodies of a row turn, and turn about each other, squared   [1/s²].
+  [[nodiscard]] T turning_square(std::size_t k) const {
+    const Row<T>& row = sweeps.rows[k];
+    const Mover<T>& a = sweeps.movers[row.a];
+    const Vec3<T> v = formula::minus(sweeps.velocity(row), sources[k].other_v);
+    T square = formula::dot(a.w, a.w) + formula::dot(v, v) / scalar::sq(a.reach);
+    if (row.b != no_index) {
+      square = square + formula::dot(sweeps.movers[row.b].w, sweeps.movers[row.b].w);
+    }
+    return square;
+  }
+
   /// What a row asks of a step as long as h: that it closes what there is of a gap; and where it begins, with the impulses of
   /// the last step. `again`: by the velocities and impulses that were found.
   void aim(const World<T>& world, std::size_t k, const T& h, bool again) {
@@ -80,7 +92,7 @@ class ClusterContacts {
     const ContactMemory<T>& memory = *source.memory;
     const Vec3<T> turning = source.second == no_index
                                 ? on_ground(world.members[source.first].stone, row, source.contact.feature)
-                                : between(world, row, source, h, again);
+                                : between(world, k, h, again);
     row.bias = row.in_frame(formula::minus(formula::scaled(T(h / T(2)), turning), source.other_v));
     row.bias.z() = row.bias.z() + source.gap / h;
     row.turning = h / T(2) * formula::dot(row.n, turning);
@@ -119,8 +131,8 @@ class ClusterContacts {
       if (world.range < low - (is_board ? T(0) : floor.offset)) {
         continue;
       }
-      const Separation<T> contact =
-          is_board ? separation(placed(member), world.board) : separation_along(placed(member), floor.n_W, floor.offset);
+      const Separation<T> contact = is_board ? separation(placed(member), world.board)
+                                             : separation_along(placed(member), floor.n_W, floor.offset);
       if (contact.gap <= world.range) {
         static_cast<void>(add(world, memory, known, i, no_index, contact, T(contact.gap)));
       }
@@ -189,8 +201,7 @@ class ClusterContacts {
     row.bias = row.p = row.torque = Vec3<T>::Zero();
     memory.listed = true;
     sources.push_back({&memory, i, j, gap, contact, other_v,
-                       other == nullptr ? world.settings.drop.restitution : world.settings.restitution,
-                       known});
+                       other == nullptr ? world.settings.drop.restitution : world.settings.restitution, known});
     sweeps.rows.push_back(row);
     return true;
   }
@@ -221,8 +232,9 @@ class ClusterContacts {
 
   /// By what has changed since the last step, or, of a contact that is new or has just been hit, will have changed a little
   /// later. Nothing, if the contact has jumped to another place.
-  [[nodiscard]] Vec3<T> between(const World<T>& world, const Row<T>& row, const RowSource<T>& source, const T& h,
-                                bool again) const {
+  [[nodiscard]] Vec3<T> between(const World<T>& world, std::size_t k, const T& h, bool again) const {
+    const Row<T>& row = sweeps.rows[k];
+    const RowSource<T>& source = sources[k];
     const ContactMemory<T>& memory = *source.memory;
     T age = world.now - memory.time;
     Vec3<T> n, ra, rb;
@@ -240,16 +252,16 @@ class ClusterContacts {
       ra = formula::minus(formula::minus(p, one.p_W), row.ra);
       rb = formula::minus(formula::minus(p, two.p_W), row.rb);
     }
-    const T far = T(0.04), far_off = far * scalar::sq(sweeps.movers[row.a].reach);
-    if (far < formula::dot(n, n) || far_off < formula::dot(ra, ra) || far_off < formula::dot(rb, rb)) {
-      return Vec3<T>::Zero();
-    }
     const T over = T(1) / age;
+    const Vec3<T> v = formula::minus(sweeps.velocity(row), source.other_v);
     Vec3<T> b = carried(sweeps.movers[row.a], row.ra, formula::scaled(over, ra));
     if (row.b != no_index) {
       b = formula::minus(b, carried(sweeps.movers[row.b], row.rb, formula::scaled(over, rb)));
     }
-    return formula::plus(b, T(over * formula::dot(n, formula::minus(sweeps.velocity(row), source.other_v))), row.n);
+    b = formula::plus(b, T(over * formula::dot(n, v)), row.n);
+    // Where it jumps it tells nothing: bodies that touch bend no faster than c (|ω| + |v|/c)².
+    const T most = T(2) * sweeps.movers[row.a].reach * turning_square(k);
+    return formula::dot(b, b) <= scalar::sq(most) ? b : Vec3<T>(Vec3<T>::Zero());
   }
 };
 

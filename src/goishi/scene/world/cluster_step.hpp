@@ -147,8 +147,8 @@ class ClusterStep {
       T speed = *world.settings.impact_speed;
       for (std::size_t k = 0; k < sweeps.rows.size(); ++k) {
         const RowSource<T>& source = contacts_.sources[k];
-        const bool recent = source.memory->last_impact < world.now &&
-                            world.now < source.memory->last_impact + *world.settings.step;
+        const bool recent =
+            source.memory->last_impact < world.now && world.now < source.memory->last_impact + *world.settings.step;
         const T approach =
             formula::dot(sweeps.rows[k].n, formula::minus(source.other_v, sweeps.velocity(sweeps.rows[k])));
         if (speed < approach && is_closed(world, source) && !recent) {
@@ -175,11 +175,10 @@ class ClusterStep {
     Mover<T>& a = contacts_.sweeps.movers[row.a];
     const State<T> before = first.state;
     const ImpactBody<T> one = see_body(first, a);
-    const ImpactBody<T> two =
-        row.b != no_index ? see_body(*second, contacts_.sweeps.movers[row.b])
-                      : ImpactBody<T>{fixed_mobility<T>(), source.contact.p_other, a.u, source.other_v, Vec3<T>::Zero()};
-    const TwoBodyImpact<T> impact =
-        resolve(world.settings.drop.law, material, source.contact.p_stone, row.n, one, two);
+    const ImpactBody<T> two = row.b != no_index ? see_body(*second, contacts_.sweeps.movers[row.b])
+                                                : ImpactBody<T>{fixed_mobility<T>(), source.contact.p_other, a.u,
+                                                                source.other_v, Vec3<T>::Zero()};
+    const TwoBodyImpact<T> impact = resolve(world.settings.drop.law, material, source.contact.p_stone, row.n, one, two);
     source.memory->last_impact = world.now;
     const auto give = [&](std::size_t i, std::size_t other, Mover<T>& mover, const BodyVelocity<T>& after,
                           const State<T>& was, const T& sign) {
@@ -282,7 +281,7 @@ class ClusterStep {
     }
     const T angle = cube_root(T(T(12) * *world.settings.clearance / reach));
     const T step = square * scalar::sq(longest) <= scalar::sq(angle) ? longest : T(angle / scalar::sqrt(square));
-    return at_least(step, T(longest / T(256)));
+    return at_least(step, T(longest / T(shortest_share)));
   }
 
   [[nodiscard]] static T cube_root(const T& x) {
@@ -292,7 +291,7 @@ class ClusterStep {
 
   /// Where the step leads too deep, it is taken again, with how contacts turn by the velocities found; then a shorter one.
   void push(World<T>& world, std::size_t c) {
-    const T deepest = -T(4) * *world.settings.clearance, shortest = *world.settings.step / T(256);
+    const T deepest = -T(4) * *world.settings.clearance, shortest = *world.settings.step / T(shortest_share);
     Sweeps<T>& sweeps = contacts_.sweeps;
     for (std::size_t k = 0; k < sweeps.rows.size(); ++k) {
       if (contacts_.sources[k].gap < deepest) {
@@ -336,17 +335,11 @@ class ClusterStep {
     const Sweeps<T>& sweeps = contacts_.sweeps;
     const T slack = T(2) * *world.settings.clearance;
     for (std::size_t k = 0; k < contacts_.sources.size(); ++k) {
-      const Row<T>& row = sweeps.rows[k];
       const T& gap = contacts_.sources[k].gap;
       const T lowest = (gap < T(0) ? gap : T(0)) - slack;
       // So slow that nothing bends by more than that.
-      const Mover<T>& a = sweeps.movers[row.a];
-      const Vec3<T> v = formula::minus(sweeps.velocity(row), contacts_.sources[k].other_v);
-      T square = formula::dot(a.w, a.w) + formula::dot(v, v) / scalar::sq(a.reach);
-      if (row.b != no_index) {
-        square = square + formula::dot(sweeps.movers[row.b].w, sweeps.movers[row.b].w);
-      }
-      if (slack < a.reach * square * scalar::sq(h_) && contacts_.gap_after(world, k, h_) < lowest) {
+      const T bend = sweeps.movers[sweeps.rows[k].a].reach * contacts_.turning_square(k);
+      if (slack < bend * scalar::sq(h_) && contacts_.gap_after(world, k, h_) < lowest) {
         return true;
       }
     }
@@ -376,7 +369,9 @@ class ClusterStep {
   [[nodiscard]] bool comes_to_rest(World<T>& world, std::size_t c) {
     Cluster<T>& cluster = world.clusters[c];
     Sweeps<T>& sweeps = contacts_.sweeps;
-    const T slow = T(0.2) * *world.settings.impact_speed;
+    // No slower than what the solver's tolerance may leave.
+    const T slow = at_least(T(T(0.2) * *world.settings.impact_speed),
+                            T(world.settings.solver_tolerance * *world.settings.step * world.g));
     for (const Mover<T>& mover : sweeps.movers) {
       if (scalar::sq(slow) < formula::dot(mover.v, mover.v) ||
           scalar::sq(slow) < scalar::sq(mover.reach) * formula::dot(mover.w, mover.w)) {
@@ -449,8 +444,8 @@ class ClusterStep {
       Member<T>& member = world.members[cluster.members[k]];
       member.nominal = world.now + h_ / T(2);
       const Mover<T>& mover = contacts_.sweeps.movers[k];
-      const T speed = scalar::sqrt(formula::dot(mover.v, mover.v)) +
-                      member.reach * scalar::sqrt(formula::dot(mover.w, mover.w));
+      const T speed =
+          scalar::sqrt(formula::dot(mover.v, mover.v)) + member.reach * scalar::sqrt(formula::dot(mover.w, mover.w));
       world.bound_by(cluster.members[k], speed);
       length = meets_ground(world, member, speed, length);
     }
@@ -484,7 +479,8 @@ class ClusterStep {
   }
 
   static constexpr int most_sweeps = 200;
-  T h_ = T(0);  // [s] of the step at work
+  static constexpr int shortest_share = 32;  // of the step that is set
+  T h_ = T(0);                               // [s] of the step at work
   ClusterContacts<T> contacts_;
   std::vector<Row<T>> saved_;
   std::vector<std::size_t> parent_, own_, parts_;

@@ -51,8 +51,8 @@ struct Member {
   bool fresh = false;  // its drop has just begun
   State<T> state;      // of a cluster, a rest, a hand: at `time`
   T time = T(0);
-  T nominal = T(0);      // [s] of a cluster: the time that its velocity is of
-  T last_touch = T(0);   // [s] of a cluster: when another stone pushed it
+  T nominal = T(0);               // [s] of a cluster: the time that its velocity is of
+  T last_touch = T(0);            // [s] of a cluster: when another stone pushed it
   Vec3<T> w_W = Vec3<T>::Zero();  // of a hand
   T hand_end = T(0);              // likewise
   T work = T(0);                  // [J] that the hand has done

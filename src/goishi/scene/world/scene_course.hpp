@@ -166,9 +166,7 @@ class SceneCourse {
   }
 
   /// Where events of a stone go.
-  [[nodiscard]] auto sink_of(std::size_t i, std::size_t other) {
-    return Told{world, i, other};
-  }
+  [[nodiscard]] auto sink_of(std::size_t i, std::size_t other) { return Told{world, i, other}; }
 
  private:
   /// A drop's events as those of a scene.

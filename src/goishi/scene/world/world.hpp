@@ -73,8 +73,8 @@ class World {
     if (member.keeper == Keeper::hand) {
       State<T> state = member.state;
       state.p_WB = formula::plus(state.p_WB, t, state.v_WB);
-      state.q_WB = formula::reunited(
-          formula::product(formula::rotation_exp(formula::scaled(t, member.w_W)), member.state.q_WB));
+      state.q_WB =
+          formula::reunited(formula::product(formula::rotation_exp(formula::scaled(t, member.w_W)), member.state.q_WB));
       return state;
     }
     return T(0) < t && !is_asleep(member)
@@ -147,8 +147,7 @@ class World {
   /// Whether a stone is still where its neighbours were counted, or near.
   void look(std::size_t i, const T& time) {
     const Member<T>& member = members[i];
-    const Vec3<T> p = member.keeper == Keeper::drop ? sight(moving(member), time).placed.p_W
-                                                    : state_at(member, time).p_WB;
+    const Vec3<T> p = centre(moving(member), time);
     const T half = margin() / T(2);
     T away = scalar::sqrt(T(scalar::sq(T(p.x() - member.place.x)) + scalar::sq(T(p.y() - member.place.y))));
     if (T(0.5) * half < away) {
@@ -219,14 +218,14 @@ class World {
       return;
     }
     const Moving<T> one = moving(a), two = moving(b);
-    const Sight<T> seen = sight(one, now), other = sight(two, now);
-    const Vec3<T> between = formula::minus(seen.placed.p_W, other.placed.p_W);
+    ++counters.looks;
+    const Vec3<T> between = formula::minus(centre(one, now), centre(two, now));
     const T spheres = scalar::sqrt(formula::dot(between, between)) - (a.reach + b.reach);
     if (T(2) * range < spheres) {  // and not by less and less
       wait(k, T(spheres - range), false);
       return;
     }
-    const Separation<T> apart = separation(seen.placed, other.placed);
+    const Separation<T> apart = separation(sight(one, now).placed, sight(two, now).placed);
     ++counters.separations;
     const T limit = one.end < two.end ? one.end : two.end;
     if (!(now < limit)) {  // a cluster's step is due now, which asks again
@@ -261,7 +260,8 @@ class World {
   [[nodiscard]] std::size_t new_cluster() {
     Cluster<T> cluster;
     cluster.used = true;
-    return clusters.add_keeping(cluster, [](const Cluster<T>& last, Cluster<T>& fresh) { fresh.stamp = last.stamp + 1; });
+    return clusters.add_keeping(cluster,
+                                [](const Cluster<T>& last, Cluster<T>& fresh) { fresh.stamp = last.stamp + 1; });
   }
 
   void drop_cluster(std::size_t c) {
@@ -343,9 +343,8 @@ class World {
       pair.second = second;
       pair.used = true;
       // A slot that is used again keeps its stamp: what is due for its last pair stays stale.
-      const std::size_t k = pairs.add_keeping(pair, [](const PairRecord<T>& last, PairRecord<T>& fresh) {
-        fresh.stamp = last.stamp + 1;
-      });
+      const std::size_t k = pairs.add_keeping(
+          pair, [](const PairRecord<T>& last, PairRecord<T>& fresh) { fresh.stamp = last.stamp + 1; });
       members[i].pairs.push_back(k);
       members[j].pairs.push_back(k);
       ask(k);
