@@ -17,6 +17,16 @@
 
 namespace goishi {
 
+/// What a drop carries along besides its state.
+template <class T>
+struct DropPast {
+  T time = T(0);       // [s] that it has come to
+  bool begun = false;  // and was told
+  DropCounters counters = {};
+  Ground ground = Ground::none;
+  bool lower_order = false;
+};
+
 /// A stone under way, on the plane z = 0 or on a board, off which it may fall to the floor. It is a value: it can be
 /// stored, copied, stopped and continued, and a copy goes on as the original does, bit for bit.
 ///
@@ -54,6 +64,20 @@ class Drop {
   Drop(const Stone<T>& stone, const RigidBody<T>& body, const State<T>& start, const Board<T>& board,
        const DropSettings<T>& settings = {})
       : Drop(stone, body, start, std::optional<Board<T>>(board), settings) {}
+
+  /// A drop that was left in a state, taken up again. (One that stands still needs no more than these to be kept.)
+  Drop(const Stone<T>& stone, const RigidBody<T>& body, const State<T>& start, const std::optional<Board<T>>& board,
+       const DropSettings<T>& settings, const DropPast<T>& past)
+      : Drop(stone, body, start, board, settings) {
+    run_.time = now_ = past.time;
+    run_.counters = past.counters;
+    run_.ground = past.ground;
+    run_.lower_order = past.lower_order;
+    begun_ = past.begun;
+    present_ = stand();
+  }
+
+  [[nodiscard]] DropPast<T> past() const { return {now_, begun_, run_.counters, run_.ground, run_.lower_order}; }
 
   // --- going on
 
@@ -122,6 +146,16 @@ class Drop {
   /// From when on the state can be told: without motion kept the present alone.
   [[nodiscard]] T motion_begin() const { return !log_.keeps() ? now_ : log_.empty() ? present_.begin : log_.begin(); }
 
+  // --- what it will be, unless something is done to it
+
+  /// The stretch that the present time is in.
+  [[nodiscard]] const detail::Stretch<T>& stretch() const { return present_; }
+
+  /// The state at a time of that stretch.
+  [[nodiscard]] State<T> state_ahead(const T& time) const { return state_in_present(time); }
+
+  [[nodiscard]] const detail::ContactBody<T>& contact_body() const { return run_.contact_body; }
+
   // --- what is done to it
 
   /// An impulse P at a point of W   [N s].
@@ -138,6 +172,23 @@ class Drop {
     tell(sink, EventKind::push, before, [&](Event<T>& event) {
       event.impulse_W = P_W;
       event.contact_W = p_W;
+    });
+  }
+
+  /// An impulse at a contact with something that moves, after which the stone has these velocities.
+  void collide(const Separation<T>& contact, const Impulse<T>& impulse, const BodyVelocity<T>& after_it,
+               EventSink<T> sink = {}) {
+    const State<T> before = state();
+    begin(sink);
+    State<T> after = before;
+    after.v_WB = after_it.v_WB;
+    after.L_W = after_it.L_W;
+    restart(after);
+    ++run_.counters.impacts;
+    tell(sink, EventKind::impact, before, [&](Event<T>& event) {
+      event.impulse_W = impulse.impulse_W;
+      event.outcome = impulse.outcome;
+      detail::note_contact(event, contact);
     });
   }
 

@@ -103,26 +103,28 @@ struct DropCounters {
 
 /// Where events go: nowhere, to the end of a vector, or to a callable. It refers to what it was made of, as long as a call
 /// lasts.
-template <class T>
-class EventSink {
+template <class E>
+class Sink {
  public:
-  EventSink() = default;
-  EventSink(std::vector<Event<T>>& events)  // NOLINT(google-explicit-constructor): an argument
-      : to_(&events),
-        call_([](void* to, const Event<T>& event) { static_cast<std::vector<Event<T>>*>(to)->push_back(event); }) {}
-  template <std::invocable<const Event<T>&> F>
-  requires(!std::same_as<std::remove_cvref_t<F>, EventSink>)
-      EventSink(F&& function)  // NOLINT(google-explicit-constructor,bugprone-forwarding-reference-overload): likewise
+  Sink() = default;
+  Sink(std::vector<E>& events)  // NOLINT(google-explicit-constructor): an argument
+      : to_(&events), call_([](void* to, const E& event) { static_cast<std::vector<E>*>(to)->push_back(event); }) {}
+  template <std::invocable<const E&> F>
+  requires(!std::same_as<std::remove_cvref_t<F>, Sink>)
+      Sink(F&& function)  // NOLINT(google-explicit-constructor,bugprone-forwarding-reference-overload): likewise
       : to_(const_cast<void*>(static_cast<const void*>(&function))),
-        call_([](void* to, const Event<T>& event) { (*static_cast<std::remove_reference_t<F>*>(to))(event); }) {}
+        call_([](void* to, const E& event) { (*static_cast<std::remove_reference_t<F>*>(to))(event); }) {}
 
   explicit operator bool() const { return call_ != nullptr; }
-  void operator()(const Event<T>& event) const { call_(to_, event); }
+  void operator()(const E& event) const { call_(to_, event); }
 
  private:
   void* to_ = nullptr;
-  void (*call_)(void*, const Event<T>&) = nullptr;
+  void (*call_)(void*, const E&) = nullptr;
 };
+
+template <class T>
+using EventSink = Sink<Event<T>>;
 
 /// What a drop comes to, and how.
 template <class T>

@@ -1,0 +1,7 @@
+#include "compiled/scene.hpp"
+
+namespace goishi {
+
+template class Scene<double>;
+
+}  // namespace goishi

@@ -1,0 +1,137 @@
+#pragma once
+/// \file
+/// How a stone moves for a while, as its pairs see it: where it is, how fast, and what bounds both.
+
+#include <goishi/contact/flight_path.hpp>
+#include <goishi/drop/drop.hpp>
+#include <goishi/scene/cluster/row.hpp>
+#include <limits>
+
+namespace goishi::detail {
+
+/// A stone on a flight, or along a stretch of contact. It refers to the stone and to the stretch.
+template <class T>
+struct Moving {
+  const Stone<T>* stone = nullptr;
+  const ContactBody<T>* body = nullptr;   // of a stretch of contact
+  const Touching<T>* touching = nullptr;  // likewise; else it flies
+  FlightPath<T> path = {};                // from `begin`
+  T begin = T(0), end = T(0);             // [s]
+  T speed = T(0);                         // [m/s] of any point of its surface, as long as nothing else touches it
+};
+
+/// Where it is and how it moves at a time. The turning about its own axis moves no surface, and is left out of a flight's.
+template <class T>
+struct Sight {
+  Placed<T> placed;
+  Vec3<T> v, w;
+};
+
+template <Ordered T>
+[[nodiscard]] Sight<T> sight(const Moving<T>& moving, const T& time) {
+  const T t = time - moving.begin;
+  if (moving.touching != nullptr) {
+    const Touching<T>& touching = *moving.touching;
+    const Variables<T> y = touching.along(t < touching.length ? T(t / touching.length) : T(1));
+    const ContactPlace<T> now = place_of(*moving.body, touching.frame.feature, y);
+    const std::array<T, 2> s = slip_of(touching.frame.mode, y);
+    return {{*moving.stone, Vec3<T>(y[at::x], y[at::y], T(touching.frame.level + now.height)), now.u},
+            formula::centre_velocity(now, s[0], s[1]),
+            now.w};
+  }
+  const FlightPath<T>& path = moving.path;
+  return {placed_at(*moving.stone, path, t), formula::plus(path.v_W, t, path.a_W),
+          formula::scaled(path.rate, path.k_W)};
+}
+
+/// Only where its centre is.
+template <Ordered T>
+[[nodiscard]] Vec3<T> centre(const Moving<T>& moving, const T& time) {
+  return moving.touching != nullptr ? sight(moving, time).placed.p_W
+                                    : formula::centre_at(moving.path, T(time - moving.begin));
+}
+
+/// The most that −H'' of a gap along a fixed normal gets from this stone   [m/s²].
+template <Ordered T>
+[[nodiscard]] T bend_of(const Moving<T>& moving) {
+  const Stone<T>& stone = *moving.stone;
+  if (moving.touching == nullptr) {
+    const FlightPath<T>& path = moving.path;
+    return scalar::sqrt(formula::dot(path.a_W, path.a_W)) + stone.sphere_offset * scalar::sq(path.rate);
+  }
+  // Of the polynomials: |y''| <= Σ k (k − 1) |c_k|, |y'| <= Σ k |c_k|, over the length's powers.
+  const Touching<T>& touching = *moving.touching;
+  const auto bounds = [&](std::size_t i, T& rate, T& bend) {
+    for (std::size_t k = 1; k < touching.along.c.size(); ++k) {
+      const T size = magnitude_of(T(touching.along.c[k][i]));
+      const auto power = static_cast<int>(k);
+      rate = rate + T(power) * size;
+      bend = bend + T(power * (power - 1)) * size;
+    }
+  };
+  T across(0), turn_rate(0), turn(0), unused(0);
+  bounds(at::x, unused, across);
+  bounds(at::y, unused, across);
+  for (std::size_t i = at::u; i < at::u + 3; ++i) {
+    bounds(i, turn_rate, turn);
+  }
+  // The height is the support's: its slope is d at most, its bend on the rim r₁/n_r³.
+  const bool rim = touching.frame.feature == Feature::rim;
+  const T least = stone.joint_cosine;
+  const T support_bend = rim ? T(stone.bevel_major_radius / (least * least * least)) : T(0);
+  const T height = stone.sphere_offset * turn + support_bend * scalar::sq(turn_rate);
+  return (across + height + stone.sphere_offset * turn) / scalar::sq(touching.length);
+}
+
+/// A bound of the speed of any point of its surface of a stone alone, until something else touches it   [m/s]; in a flight,
+/// until its end. `lever` = √(1 + c²/k²), c its reach, k² = I_t/m: |v| + c |ω| <= lever √(2 e) where v² + k² ω² <= 2 e.
+template <Ordered T>
+[[nodiscard]] T speed_bound(const Drop<T>& drop, const T& reach, const T& lever, const TopRates<T>& rates) {
+  const Stretch<T>& stretch = drop.stretch();
+  const auto size = [](const Vec3<T>& v) { return scalar::sqrt(formula::dot(v, v)); };
+  if (const auto* flying = std::get_if<Flying<T>>(&stretch.motion)) {
+    const T horizon = *filled(drop.settings(), drop.stone(), drop.contact_body().strength).horizon;
+    const T length = stretch.end - stretch.begin < horizon ? T(stretch.end - stretch.begin) : horizon;
+    const T first = size(flying->from.v_WB), last = size(formula::plus(flying->from.v_WB, length, flying->gravity));
+    return (first < last ? last : first) + reach * rates.precession * size(flying->from.L_W);
+  }
+  if (const auto* bouncing = std::get_if<Bouncing<T>>(&stretch.motion)) {
+    return size(bouncing->from.v_WB) + reach * rates.precession * size(bouncing->from.L_W);
+  }
+  if (const auto* touching = std::get_if<Touching<T>>(&stretch.motion)) {
+    const ContactBody<T>& body = drop.contact_body();
+    const Variables<T>& y = touching->along.c[0];
+    const ContactPlace<T> now = place_of(body, touching->frame.feature, y);
+    const std::array<T, 2> s = slip_of(touching->frame.mode, y);
+    const Vec3<T>& g = body.gravity;
+    const T fall = magnitude_of(T(g.z())) * (now.height - drop.stone().height / T(2));
+    const T energy = formula::contact_kinetic_energy(now, s[0], s[1]) + (fall < T(0) ? T(0) : fall);
+    const T slope = scalar::sqrt(T(scalar::sq(g.x()) + scalar::sq(g.y())));
+    return T(1.01) * lever * scalar::sqrt(T(T(2) * energy)) + slope * touching->length;
+  }
+  return T(0);
+}
+
+/// How a stone alone moves along its present stretch.
+template <Ordered T>
+[[nodiscard]] Moving<T> moving_of(const Drop<T>& drop, const TopRates<T>& rates) {
+  const Stretch<T>& stretch = drop.stretch();
+  Moving<T> moving{.stone = &drop.stone(), .begin = stretch.begin, .end = stretch.end};
+  if (const auto* touching = std::get_if<Touching<T>>(&stretch.motion)) {
+    moving.body = &drop.contact_body();
+    moving.touching = touching;
+  } else if (const auto* flying = std::get_if<Flying<T>>(&stretch.motion)) {
+    moving.path = path_of(flying->from, rates, flying->gravity);
+  } else if (const auto* bouncing = std::get_if<Bouncing<T>>(&stretch.motion)) {
+    // Less than `closing_speed`²/2g high: as if it stayed down.
+    State<T> from = bouncing->from;
+    from.v_WB.z() = T(0);
+    moving.path = path_of(from, rates, Vec3<T>(Vec3<T>::Zero()));
+  } else {
+    moving.path = path_of(std::get<Standing<T>>(stretch.motion).state, rates, Vec3<T>(Vec3<T>::Zero()));
+    moving.path.v_W = Vec3<T>::Zero();
+  }
+  return moving;
+}
+
+}  // namespace goishi::detail

@@ -1,0 +1,370 @@
+#pragma once
+/// \file
+/// The stones of a scene, where they are and when pairs of them may touch.
+
+#include <goishi/board/board.hpp>
+#include <goishi/scene/pairs/first_touch.hpp>
+#include <goishi/scene/settings.hpp>
+#include <goishi/scene/world/members.hpp>
+#include <optional>
+
+namespace goishi::detail {
+
+template <Ordered T>
+class World {
+ public:
+  Board<T> board;
+  SceneSettings<T> given;     // as they were
+  SceneSettings<T> settings;  // filled
+  T g = T(0);                 // [m/s²] strength of gravity
+  T range = T(0);             // [m] pairs that are further apart are not in a cluster's step
+  T now = T(0);               // [s]
+  std::vector<Member<T>> members;
+  Slots<PairRecord<T>> pairs;
+  Slots<Cluster<T>> clusters;
+  Slots<Drop<T>> drops;
+  SceneCounters counters;
+  SceneSink<T> sink;  // of the present call
+
+  // --- what is due
+
+  void schedule(DueKind kind, std::size_t id, const T& time) {
+    const std::size_t stamp = ++stamp_of(kind, id);
+    if (time < std::numeric_limits<T>::infinity()) {
+      queue_.push_back({time, kind, id, stamp});
+      std::push_heap(queue_.begin(), queue_.end());
+    }
+  }
+
+  void unschedule(DueKind kind, std::size_t id) { ++stamp_of(kind, id); }
+
+  /// The next that is due up to a time, taken off; or nothing.
+  [[nodiscard]] std::optional<Due<T>> next(const T& until) {
+    while (!queue_.empty()) {
+      const Due<T> first = queue_.front();
+      const bool stale = stamp_of(first.kind, first.id) != first.stamp;
+      if (!stale && until < first.time) {
+        return std::nullopt;
+      }
+      std::pop_heap(queue_.begin(), queue_.end());
+      queue_.pop_back();
+      if (!stale) {
+        return first;
+      }
+    }
+    return std::nullopt;
+  }
+
+  // --- where stones are
+
+  [[nodiscard]] bool is_asleep(const Member<T>& member) const {
+    return member.keeper == Keeper::rest || (member.keeper == Keeper::cluster && clusters[member.cluster].asleep);
+  }
+
+  [[nodiscard]] bool share_cluster(const Member<T>& a, const Member<T>& b) const {
+    return a.keeper == Keeper::cluster && b.keeper == Keeper::cluster && a.cluster == b.cluster;
+  }
+
+  [[nodiscard]] State<T> state_at(const Member<T>& member, const T& time) const {
+    const T t = time - member.time;
+    if (member.keeper == Keeper::drop) {
+      return drops[member.drop].state_ahead(time);
+    }
+    if (member.keeper == Keeper::hand) {
+      State<T> state = member.state;
+      state.p_WB = formula::plus(state.p_WB, t, state.v_WB);
+      state.q_WB =
+          formula::reunited(formula::product(formula::rotation_exp(formula::scaled(t, member.w_W)), member.state.q_WB));
+      return state;
+    }
+    return T(0) < t && !is_asleep(member)
+               ? formula::free_flight(member.state, member.rates, Vec3<T>(Vec3<T>::Zero()), t)
+               : member.state;
+  }
+
+  /// How it moves as far as is known.
+  [[nodiscard]] Moving<T> moving(const Member<T>& member) const {
+    constexpr T never = std::numeric_limits<T>::infinity();
+    if (member.keeper == Keeper::drop) {
+      Moving<T> result = moving_of(drops[member.drop], member.rates);
+      result.speed = member.bound;
+      return result;
+    }
+    Moving<T> result{.stone = &member.stone, .begin = member.time, .end = never, .speed = member.bound};
+    result.path = path_of(member.state, member.rates, Vec3<T>(Vec3<T>::Zero()));
+    if (member.keeper == Keeper::hand) {
+      const T rate = scalar::sqrt(formula::dot(member.w_W, member.w_W));
+      result.path.rate = rate;
+      result.path.k_W = T(0) < rate ? Vec3<T>(member.w_W / rate) : Vec3<T>(T(0), T(0), T(1));
+      result.end = member.hand_end;
+    } else if (is_asleep(member)) {
+      result.path.v_W = Vec3<T>::Zero();
+      result.path.rate = T(0);
+    } else {
+      result.end = clusters[member.cluster].end;
+    }
+    return result;
+  }
+
+  // --- neighbours
+
+  /// How much nearer than a list of neighbours tells two stones may come before it is made again   [m].
+  [[nodiscard]] T margin() const { return T(0.6) * widest_; }
+
+  /// Takes a new stone's reach into account.
+  void widen(const T& reach) {
+    if (!(widest_ < reach)) {
+      return;
+    }
+    widest_ = reach;
+    grid_.reset(T(T(1.01) * (T(2) * widest_ + margin())));
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      if (members[i].place.linked) {
+        grid_.link(i, T(members[i].place.x), T(members[i].place.y), places());
+        meet_neighbours(i);
+      }
+    }
+  }
+
+  /// Where a stone is: its neighbours from here on.
+  void settle_at(std::size_t i, const Vec3<T>& p) {
+    if (members[i].place.linked) {
+      grid_.unlink(i, places());
+    }
+    grid_.link(i, T(p.x()), T(p.y()), places());
+    meet_neighbours(i);
+  }
+
+  void forget(std::size_t i) {
+    grid_.unlink(i, places());
+    while (!members[i].pairs.empty()) {
+      drop_pair(members[i].pairs.back());
+    }
+    unschedule(DueKind::look, i);
+    unschedule(DueKind::stretch, i);
+  }
+
+  /// Whether a stone is still where its neighbours were counted, or near.
+  void look(std::size_t i, const T& time) {
+    const Member<T>& member = members[i];
+    const Vec3<T> p = centre(moving(member), time);
+    const T half = margin() / T(2);
+    T away = scalar::sqrt(T(scalar::sq(T(p.x() - member.place.x)) + scalar::sq(T(p.y() - member.place.y))));
+    if (T(0.5) * half < away) {
+      settle_at(i, p);
+      away = T(0);
+    }
+    if (T(0) < member.bound) {
+      schedule(DueKind::look, i, T(time + (half - away) / member.bound));
+    }
+  }
+
+  template <class F>
+  void near(std::size_t i, F&& f) {
+    grid_.near(i, places(), f);
+  }
+
+  // --- pairs
+
+  /// Sets the bound of a stone's speed. What was found with a lower one is looked at again.
+  void bound_by(std::size_t i, const T& speed) {
+    Member<T>& member = members[i];
+    if (speed <= member.bound && T(0.5) * member.bound <= speed) {
+      return;
+    }
+    const bool higher = member.bound < speed;
+    member.bound = T(1.1) * speed;
+    if (higher) {
+      schedule(DueKind::look, i, now);
+      for (const std::size_t k : member.pairs) {
+        if (!pairs[k].exact && !is_listed(pairs[k])) {
+          ask(k);
+        }
+      }
+    }
+  }
+
+  /// The motion of a stone is another from now on.
+  void turn(std::size_t i) {
+    for (const std::size_t k : members[i].pairs) {
+      if (!is_listed(pairs[k])) {
+        ask(k);
+      }
+    }
+  }
+
+  /// Whether a cluster's step takes care of the pair.
+  [[nodiscard]] bool is_listed(const PairRecord<T>& pair) const {
+    if (!pair.contact.listed) {
+      return false;
+    }
+    const Member<T>&a = members[pair.first], &b = members[pair.second];
+    return share_cluster(a, b) || (a.keeper == Keeper::cluster && b.keeper == Keeper::hand) ||
+           (b.keeper == Keeper::cluster && a.keeper == Keeper::hand);
+  }
+
+  /// Looks at a pair now.
+  void ask(std::size_t k) {
+    pairs[k].touches = false;
+    schedule(DueKind::pair, k, now);
+  }
+
+  /// When a pair has to be looked at again, or touches.
+  void check(std::size_t k) {
+    PairRecord<T>& pair = pairs[k];
+    const Member<T>&a = members[pair.first], &b = members[pair.second];
+    const bool by_hand = a.keeper == Keeper::hand && b.keeper == Keeper::hand;
+    if (is_listed(pair) || by_hand || !(T(0) < a.bound + b.bound)) {
+      return;
+    }
+    const Moving<T> one = moving(a), two = moving(b);
+    ++counters.looks;
+    const Vec3<T> between = formula::minus(centre(one, now), centre(two, now));
+    const T spheres = scalar::sqrt(formula::dot(between, between)) - (a.reach + b.reach);
+    if (T(2) * range < spheres) {  // and not by less and less
+      wait(k, T(spheres - range), false);
+      return;
+    }
+    const Separation<T> apart = separation(sight(one, now).placed, sight(two, now).placed);
+    ++counters.separations;
+    const T limit = one.end < two.end ? one.end : two.end;
+    if (!(now < limit)) {  // a cluster's step is due now, which asks again
+      pair.exact = true;
+      pair.touches = false;
+      return;
+    }
+    const T far = now + (apart.gap - range) / (a.bound + b.bound);
+    if (limit <= far && T(2) * range < apart.gap) {
+      wait(k, T(apart.gap - range), false);
+      return;
+    }
+    const FirstTouch<T> found = first_touch(one, two, now, limit, *settings.clearance, apart);
+    counters.separations += found.separations;
+    pair.touches = found.touches;
+    pair.exact = found.touches || far < found.time;
+    pair.due = pair.exact ? found.time : far;
+    schedule(DueKind::pair, k, pair.due);
+  }
+
+  /// Nothing happens to a pair until its gap may have closed by so much.
+  void wait(std::size_t k, const T& gap, bool exact) {
+    PairRecord<T>& pair = pairs[k];
+    pair.touches = false;
+    pair.exact = exact;
+    pair.due = now + gap / (members[pair.first].bound + members[pair.second].bound);
+    schedule(DueKind::pair, k, pair.due);
+  }
+
+  // --- clusters
+
+  [[nodiscard]] std::size_t new_cluster() {
+    Cluster<T> cluster;
+    cluster.used = true;
+    return clusters.add_keeping(cluster,
+                                [](const Cluster<T>& last, Cluster<T>& fresh) { fresh.stamp = last.stamp + 1; });
+  }
+
+  void drop_cluster(std::size_t c) {
+    clusters[c].used = false;
+    clusters[c].members.clear();
+    ++clusters[c].stamp;
+    clusters.remove(c);
+  }
+
+  // --- what is told
+
+  template <class Fill>
+  void tell(std::size_t i, std::size_t other, EventKind kind, const State<T>& before, const State<T>& after,
+            Fill&& fill) {
+    if (!sink) {
+      return;
+    }
+    SceneEvent<T> event{.stone = StoneId(i), .other = {}, .event = {}};
+    if (other != no_index) {
+      event.other = StoneId(other);
+    }
+    event.event.kind = kind;
+    event.event.time = now;
+    event.event.before = before;
+    event.event.after = after;
+    event.event.energy = formula::energy(after, members[i].body, settings.drop.gravity);
+    fill(event.event);
+    sink(event);
+  }
+
+  void tell(std::size_t i, std::size_t other, EventKind kind, const State<T>& state) {
+    tell(i, other, kind, state, state, [](Event<T>&) {});
+  }
+
+ private:
+  [[nodiscard]] auto places() {
+    return [this](std::size_t i) -> GridPlace<T>& { return members[i].place; };
+  }
+
+  [[nodiscard]] std::size_t& stamp_of(DueKind kind, std::size_t id) {
+    switch (kind) {
+      case DueKind::stretch:
+        return members[id].drop_stamp;
+      case DueKind::look:
+        return members[id].look_stamp;
+      case DueKind::pair:
+        return pairs[id].stamp;
+      case DueKind::step:
+        break;
+    }
+    return clusters[id].stamp;
+  }
+
+  /// Whether two stones may touch before either is counted again.
+  [[nodiscard]] bool are_near(const Member<T>& a, const Member<T>& b) const {
+    const T most = a.reach + b.reach + margin();
+    return scalar::sq(T(a.place.x - b.place.x)) + scalar::sq(T(a.place.y - b.place.y)) < scalar::sq(most);
+  }
+
+  void meet_neighbours(std::size_t i) {
+    for (std::size_t at = members[i].pairs.size(); at-- > 0;) {
+      const std::size_t k = members[i].pairs[at];
+      if (!are_near(members[pairs[k].first], members[pairs[k].second])) {
+        drop_pair(k);
+      }
+    }
+    near(i, [&](std::size_t j) {
+      if (i == j || !are_near(members[i], members[j])) {
+        return;
+      }
+      const std::size_t first = i < j ? i : j, second = i < j ? j : i;
+      for (const std::size_t k : members[i].pairs) {
+        if (pairs[k].first == first && pairs[k].second == second) {
+          return;
+        }
+      }
+      PairRecord<T> pair;
+      pair.first = first;
+      pair.second = second;
+      pair.used = true;
+      // A slot that is used again keeps its stamp: what is due for its last pair stays stale.
+      const std::size_t k = pairs.add_keeping(
+          pair, [](const PairRecord<T>& last, PairRecord<T>& fresh) { fresh.stamp = last.stamp + 1; });
+      members[i].pairs.push_back(k);
+      members[j].pairs.push_back(k);
+      ask(k);
+    });
+  }
+
+  void drop_pair(std::size_t k) {
+    PairRecord<T>& pair = pairs[k];
+    for (const std::size_t i : {pair.first, pair.second}) {
+      std::vector<std::size_t>& list = members[i].pairs;
+      list.erase(std::find(list.begin(), list.end(), k));
+    }
+    pair.used = false;
+    ++pair.stamp;
+    pairs.remove(k);
+  }
+
+  std::vector<Due<T>> queue_;
+  Grid<T> grid_;
+  T widest_ = T(0);  // [m] greatest reach
+};
+
+}  // namespace goishi::detail
