@@ -2,7 +2,7 @@
 /// \file
 /// How a stone moves for a while, as its pairs see it: where it is, how fast, and what bounds both.
 
-#include <goishi/contact/flight_path.hpp>
+#include <goishi/contact/gap_along.hpp>
 #include <goishi/drop/drop.hpp>
 #include <goishi/scene/cluster/row.hpp>
 #include <limits>
