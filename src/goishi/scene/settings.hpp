@@ -18,7 +18,8 @@ struct SceneSettings {
   T friction = T(0.3);
 
   // --- Stones that touch several things: clusters, which go by steps
-  /// [s] Error is in proportion to it, cost to 1/it. 0.044 √(w/g): 1/480
+  /// [s] Error is in proportion to it, cost to 1/it. 0.044 √(w/g): 1/480. With twice that, heaps of many stones that lean on
+  /// each other jitter, and may not come to rest.
   std::optional<T> step;
   /// Of what gravity gives in a step: a sweep over a cluster's contacts that changes less is the last.
   T solver_tolerance = T(0.1);
