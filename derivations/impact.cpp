@@ -50,6 +50,8 @@ void vectors(Document& document) {
   prove("$v + s p$", components(formula::plus(v, ex(s), p)), components(v + Vector(s * p)));
   prove("$v - p$", components(formula::minus(v, p)), components(v - p));
   prove("$s v + t p$", components(formula::combination(ex(s), v, ex(t), p)), components(Vector(s * v) + Vector(t * p)));
+  prove("$s v + t p + s t n$", components(formula::combination(ex(s), v, ex(t), p, ex(s * t), n)),
+        components(Vector(s * v) + Vector(t * p) + Vector(s * t * n)));
   prove("$s v$", components(formula::scaled(ex(s), v)), components(Vector(s * v)));
 }
 
@@ -125,10 +127,21 @@ $(I^{-1}(r \times n) \times r) \cdot n$)",
   document.section("The contact matrix");
   document.shipped("formula::contact_matrix", "impact/contact_matrix.hpp");
   const ContactMatrix<ex> made = formula::contact_matrix(any.mobility, any.u_W, r);
+  const goishi::PointMatrix<ex> parts = formula::point_matrix(any.mobility, any.u_W, r);
   document.equation("W_{xx}", made.xx);
   document.equation("W_{xy}", made.xy);
   const ex entry = components(Vector(full(made) * p));
   document.prove({.text = R"($W p$ is the response, for every $p$)", .result = entry, .witness = components(gain)});
+  document.shipped("formula::point_matrix, product, solution", "impact/contact_matrix.hpp");
+  document.prove({.text = R"(by its parts: $W p$ is the response, for every $p$)",
+                  .result = components(formula::product(parts, p)),
+                  .witness = components(gain)});
+  const ex back = components(formula::solution(parts, formula::product(parts, p)));
+  document.prove({.text = "and $W^{-1} W p = p$",
+                  .result = back,
+                  .witness = components(p),
+                  .controls = {-back, back * ex(1001) / 1000, components(formula::solution(parts, p)),
+                               components(formula::product(parts, formula::product(parts, p)))}});
   document.prove({.text = R"($W r = r/m$: the least eigenvalue, since by the statement on $K$, for any $n$,
 $n \cdot W n - |n|^2/m = (r \times n) \cdot I^{-1} (r \times n) \ge 0$)",
                   .result = components(Vector(full(made) * r)),

@@ -44,6 +44,14 @@ template <Field T>
   return {T(alpha * a.x() + beta * b.x()), T(alpha * a.y() + beta * b.y()), T(alpha * a.z() + beta * b.z())};
 }
 
+/// α a + β b + γ c.
+template <Field T>
+[[nodiscard]] Vec3<T> combination(const T& alpha, const Vec3<T>& a, const T& beta, const Vec3<T>& b, const T& gamma,
+                                  const Vec3<T>& c) {
+  return {T(alpha * a.x() + beta * b.x() + gamma * c.x()), T(alpha * a.y() + beta * b.y() + gamma * c.y()),
+          T(alpha * a.z() + beta * b.z() + gamma * c.z())};
+}
+
 /// s a.
 template <Field T>
 [[nodiscard]] Vec3<T> scaled(const T& s, const Vec3<T>& a) {

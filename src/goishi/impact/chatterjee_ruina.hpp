@@ -12,8 +12,8 @@ namespace goishi::detail {
 /// p = (1 + e) p_I + κ (p_II − p_I), κ = 1, or the value that puts p on the friction cone
 /// (`formula::chatterjee_ruina_impulse`). With κ = 1 the contact leaves with e W p_I: no slip but what the
 /// restitution's own impulse makes.
-template <Ordered T>
-[[nodiscard]] inline LawImpulse<T> chatterjee_ruina_ordinary(const Collision<T>& c) {
+template <Ordered T, template <class> class Matrix>
+[[nodiscard]] inline LawImpulse<T> chatterjee_ruina_ordinary(const Collision<T, Matrix>& c) {
   const T approach = formula::dot(c.v, c.n);
   const T mobility = formula::dot(c.n, formula::product(c.W, c.n));
   const T plastic = formula::normal_impulse(approach, mobility, T(0));
@@ -40,16 +40,22 @@ template <Ordered T>
   const Units<T> units = units_of(W_W, v_W);
   const ContactMatrix<T> W = units.of(W_W);
   const Vec3<T> v = units.of(v_W);
-  return units.back(chatterjee_ruina_ordinary<T>({W, v, n_W, restitution, friction}));
+  return units.back(chatterjee_ruina_ordinary(Collision<T>{W, v, n_W, restitution, friction}));
+}
+
+/// Whether no product on the law's way leaves the range of T.
+template <Ordered T, template <class> class Matrix>
+[[nodiscard]] inline bool is_ordinary(const Collision<T, Matrix>& c) {
+  const T least = least_ordinary<T>();
+  const T approach = -formula::dot(c.v, c.n);
+  const T mobility = formula::dot(c.n, formula::product(c.W, c.n));
+  return (least < approach) & (approach * least < T(1)) & (least < mobility) & (mobility * least < T(1));
 }
 
 /// The law. In line and in its own units where those are ordinary ones.
 template <Ordered T>
 [[nodiscard]] inline LawImpulse<T> chatterjee_ruina(const Collision<T>& c) {
-  const T least = least_ordinary<T>();
-  const T approach = -formula::dot(c.v, c.n);
-  const T mobility = formula::dot(c.n, formula::product(c.W, c.n));
-  if (!(least < approach && approach * least < T(1) && least < mobility && mobility * least < T(1))) [[unlikely]] {
+  if (!is_ordinary(c)) [[unlikely]] {
     return chatterjee_ruina_rescaled<T>({c.W.xx, c.W.yy, c.W.zz, c.W.xy, c.W.xz, c.W.yz}, {c.v.x(), c.v.y(), c.v.z()},
                                         c.n, c.restitution, c.friction);
   }

@@ -17,7 +17,51 @@ struct ContactMatrix {
   T yz = scalar::unset<T>();
 };
 
+/// The contact matrix of one body by its parts (`formula::point_matrix`): an impulse takes no matrix to answer, nor its
+/// inverse. NaN until set.
+template <class T>
+struct PointMatrix {
+  Mobility<T> mobility;
+  T across = scalar::unset<T>();  // 1/m + r²/I_t [1/kg]
+  Vec3<T> r_W = Vec3<T>::Constant(scalar::unset<T>());
+  Vec3<T> c_W = Vec3<T>::Constant(scalar::unset<T>());  // r × u, across r
+};
+
 namespace formula {
+
+/// The same matrix by its parts.
+/// Proof  derivations/impact.cpp.
+template <Field T>
+[[nodiscard]] inline PointMatrix<T> point_matrix(const Mobility<T>& mobility, const Vec3<T>& u_W, const Vec3<T>& r_W) {
+  const Vec3<T> c = formula::cross(r_W, u_W);
+  return {.mobility = {mobility.linear, mobility.transverse, mobility.axial},
+          .across = T(mobility.linear + mobility.transverse * formula::dot(r_W, r_W)),
+          .r_W = {r_W.x(), r_W.y(), r_W.z()},
+          .c_W = {c.x(), c.y(), c.z()}};
+}
+
+/// W p = (1/m + r²/I_t) p − (r · p) r/I_t + (1/I_a − 1/I_t)(c · p) c.
+/// Proof  derivations/impact.cpp.
+template <Field T>
+[[nodiscard]] inline Vec3<T> product(const PointMatrix<T>& W, const Vec3<T>& p) {
+  const T along_r = -(W.mobility.transverse * formula::dot(W.r_W, p));
+  const T along_c = W.mobility.axial * formula::dot(W.c_W, p);
+  return formula::plus(formula::combination(W.across, p, along_r, W.r_W), along_c, W.c_W);
+}
+
+/// W⁻¹ v: r and c are two of its eigenvectors, of the values 1/m and λ_c = 1/m + r²/I_t + (1/I_a − 1/I_t) c².
+///
+///     W⁻¹ v = (v + (m/I_t)(r · v) r − (1/I_a − 1/I_t)(c · v) c / λ_c) / (1/m + r²/I_t)
+///
+/// Domain  1/m > 0, and no quotient overflows.   Proof  derivations/impact.cpp.
+template <Field T>
+[[nodiscard]] inline Vec3<T> solution(const PointMatrix<T>& W, const Vec3<T>& v) {
+  const T over = T(1) / W.across;
+  const T along_r = W.mobility.transverse / W.mobility.linear * formula::dot(W.r_W, v);
+  const T along_c =
+      -(W.mobility.axial / (W.across + W.mobility.axial * formula::dot(W.c_W, W.c_W)) * formula::dot(W.c_W, v));
+  return formula::combination(over, v, T(over * along_r), W.r_W, T(over * along_c), W.c_W);
+}
 
 /// The contact matrix of a body at r from its centre of mass, in W   [1/kg]: an impulse p there changes the velocity
 /// there by W p (`response`). With c = r × u,

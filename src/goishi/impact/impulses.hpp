@@ -28,8 +28,8 @@ template <Field T>
 
 /// The impulse after which the contact is at rest, in all directions: p_II = −W⁻¹ v   [N s].
 /// Proof  derivations/impact_laws.cpp.
-template <Field T>
-[[nodiscard]] inline Vec3<T> sticking_impulse(const ContactMatrix<T>& W, const Vec3<T>& v_W) {
+template <Field T, template <class> class Matrix>
+[[nodiscard]] inline Vec3<T> sticking_impulse(const Matrix<T>& W, const Vec3<T>& v_W) {
   return formula::scaled(T(-1), formula::solution(W, v_W));
 }
 

@@ -77,6 +77,25 @@ template <Ordered T, class Response, class Matrix>
   return answer(found, n_W, v, formula::plus(v, formula::product(W, found.p)));
 }
 
+/// Whether the default law needs no matrix: of one body, with friction, in units where no product leaves the range.
+template <Ordered T>
+[[nodiscard]] inline bool is_answered_by_parts(ImpactLaw law, const Collision<T, PointMatrix>& met) {
+  return law == ImpactLaw::chatterjee_ruina && T(0) < met.friction && is_ordinary(met) &&
+         least_ordinary<T>() < met.W.mobility.linear;
+}
+
+template <Ordered T>
+[[nodiscard]] inline Impulse<T> answer_by_parts(const Collision<T, PointMatrix>& met) {
+  const LawImpulse<T> found = chatterjee_ruina_ordinary(met);
+  return answer(found, met.n, met.v, formula::plus(met.v, formula::product(met.W, found.p)));
+}
+
+/// Whether no impulse changes how a body moves.
+template <Ordered T>
+[[nodiscard]] inline bool is_fixed(const Mobility<T>& mobility) {
+  return !(T(0) < mobility.linear) && !(T(0) < mobility.transverse) && !(T(0) < mobility.transverse + mobility.axial);
+}
+
 template <Ordered T>
 inline void require_contact(ImpactLaw law, const Material<T>& material, const Vec3<T>& p_WC, const Vec3<T>& n_W) {
   require(is_law(law), "law", static_cast<int>(law), "must be one of the three");
@@ -103,12 +122,18 @@ template <Ordered T>
                                 const ImpactBody<T>& body) {
   detail::require_contact(law, material, p_WC, n_W);
   detail::require_body(body);
-  const Vec3<T> r = formula::minus(p_WC, body.p_WB);
-  Impact<T> result{.impulse = detail::impulse_of(
-                       law, material, n_W, formula::point_velocity(body, r),
-                       [&](const Vec3<T>& p) { return formula::response(body.mobility, body.u_W, r, p); },
-                       [&] { return formula::contact_matrix(body.mobility, body.u_W, r); }),
-                   .body = formula::pushed(body, r, result.impulse.impulse_W)};
+  const Vec3<T> r = formula::minus(p_WC, body.p_WB), v = formula::point_velocity(body, r);
+  const PointMatrix<T> W = formula::point_matrix(body.mobility, body.u_W, r);
+  const detail::Collision<T, PointMatrix> met{W, v, n_W, material.restitution, material.friction};
+  if (detail::is_answered_by_parts(law, met)) [[likely]] {
+    const Impulse<T> impulse = detail::answer_by_parts(met);
+    return {.impulse = impulse, .body = formula::pushed(body, r, impulse.impulse_W)};
+  }
+  Impact<T> result{
+      .impulse = detail::impulse_of(
+          law, material, n_W, v, [&](const Vec3<T>& p) { return formula::response(body.mobility, body.u_W, r, p); },
+          [&] { return formula::contact_matrix(body.mobility, body.u_W, r); }),
+      .body = formula::pushed(body, r, result.impulse.impulse_W)};
   return result;
 }
 
@@ -124,17 +149,28 @@ template <Ordered T>
   require(T(0) < first.mobility.linear + second.mobility.linear, "mobility", second.mobility.linear,
           "must not be that of a fixed body for both");
   const Vec3<T> r1 = formula::minus(p_WC, first.p_WB), r2 = formula::minus(p_WC, second.p_WB);
+  const Vec3<T> v = formula::minus(formula::point_velocity(first, r1), formula::point_velocity(second, r2));
+  // Beside a fixed body, as one alone.
+  const bool first_is_fixed = detail::is_fixed(first.mobility);
+  const PointMatrix<T> W = first_is_fixed ? formula::point_matrix(second.mobility, second.u_W, r2)
+                                          : formula::point_matrix(first.mobility, first.u_W, r1);
+  const detail::Collision<T, PointMatrix> met{W, v, n_W, material.restitution, material.friction};
+  const bool alone = first_is_fixed || detail::is_fixed(second.mobility);
   TwoBodyImpact<T> result;
-  result.impulse = detail::impulse_of(
-      law, material, n_W, formula::minus(formula::point_velocity(first, r1), formula::point_velocity(second, r2)),
-      [&](const Vec3<T>& p) {
-        return formula::plus(formula::response(first.mobility, first.u_W, r1, p),
-                             formula::response(second.mobility, second.u_W, r2, p));
-      },
-      [&] {
-        return formula::sum(formula::contact_matrix(first.mobility, first.u_W, r1),
-                            formula::contact_matrix(second.mobility, second.u_W, r2));
-      });
+  if (alone && detail::is_answered_by_parts(law, met)) {
+    result.impulse = detail::answer_by_parts(met);
+  } else {
+    result.impulse = detail::impulse_of(
+        law, material, n_W, v,
+        [&](const Vec3<T>& p) {
+          return formula::plus(formula::response(first.mobility, first.u_W, r1, p),
+                               formula::response(second.mobility, second.u_W, r2, p));
+        },
+        [&] {
+          return formula::sum(formula::contact_matrix(first.mobility, first.u_W, r1),
+                              formula::contact_matrix(second.mobility, second.u_W, r2));
+        });
+  }
   result.first = formula::pushed(first, r1, result.impulse.impulse_W);
   result.second = formula::pushed(second, r2, formula::scaled(T(-1), result.impulse.impulse_W));
   return result;

@@ -85,9 +85,9 @@ struct Impulse {
 namespace detail {
 
 /// A contact that approaches, as a law sees it: the bodies are gone.
-template <class T>
+template <class T, template <class> class Matrix = ContactMatrix>
 struct Collision {
-  const ContactMatrix<T>& W;
+  const Matrix<T>& W;
   const Vec3<T>& v;  // of the contact points, first − second; v · n < 0
   const Vec3<T>& n;  // unit, out of the second towards the first
   T restitution;

@@ -214,7 +214,7 @@ std::vector<Claim> contact_law_claims() {
                          "the points are rounded; measured 2026-11-30 with 13 seeds: up to 1.1e-15", epsilon),
                   none("defects", "faults")},
        .mutants = {{"contact/contact.hpp", "!(T(0) < size2)", "false"},
-                   {"contact/contact.hpp", "T(-result.gap), n_W)", "T(result.gap), n_W)"}},
+                   {"contact/contact.hpp", "T(z - gap * nz)", "T(z + gap * nz)"}},
        .measure = measure_million},
   };
 }

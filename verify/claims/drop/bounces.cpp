@@ -237,7 +237,7 @@ std::vector<Claim> drop_bounces_claims() {
                   within("spin", 0.0, "relative", "nor turns about its normal"), none("faults", "faults")},
        .mutants = {{"impact/impulses.hpp", "-((T(1) + restitution) * approach)",
                     "-((T(1) + T(1000001) / T(1000000) * restitution) * approach)"},
-                   {"drop/phases/next_impact.hpp", "momentum * rates.precession;",
+                   {"motion/flight_path.hpp", "momentum * rates.precession;",
                     "T(1000001) / T(1000000) * momentum * rates.precession;"},
                    {"drop/phases/flight_phase.hpp", "(more - contact.gap)", "(T(1000) * more - contact.gap)"},
                    {"drop/phases/flight_phase.hpp",

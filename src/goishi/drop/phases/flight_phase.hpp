@@ -167,10 +167,10 @@ class FlightPhase {
   [[nodiscard]] static bool starts_inside(Run<T>& run) {
     T gap;
     if (!run.board) {
-      gap = separation(run.stone, pose_of(run), Plane<T>{}).gap;
+      gap = surface_separation(run.stone, pose_of(run)).gap;
     } else {
       gap = separation(run.stone, pose_of(run), *run.board).gap;
-      const T over_floor = separation(run.stone, pose_of(run), floor_of(*run.board)).gap;
+      const T over_floor = surface_separation(run.stone, pose_of(run), run.board->floor).gap;
       gap = over_floor < gap ? over_floor : gap;
     }
     if (gap < -(run.settings.touching * outer_width(run.stone))) {
