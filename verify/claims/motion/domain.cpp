@@ -200,7 +200,7 @@ std::vector<Claim> domain_motion_claims() {
                          "twice FLIGHT-5's 2, for rounding that is not to the nearest", 1.0),
                   none("refusals", "what is taken or refused and should not be")},
        .mutants = {{"motion/free_flight.hpp", "const Quat<T> q = formula::reunited(q_WB);", "const Quat<T> q = q_WB;"},
-                   {"motion/free_flight.hpp", "T(0) < state.q_WB.squaredNorm() && ", ""},
+                   {"motion/free_flight.hpp", "T(0) < detail::squared_norm(state.q_WB) && ", ""},
                    {"motion/free_flight.hpp", "scalar::is_finite(T(rates.precession + rates.spin))", "true"}},
        .measure = measure_flights},
       {.id = "DOMAIN-6",
