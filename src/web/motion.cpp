@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <goishi/motion/free_flight.hpp>
 #include <goishi/motion/steppers.hpp>
+#include <goishi/vector.hpp>
 #include <vector>
 
 #include "arguments.hpp"
@@ -25,7 +26,7 @@ static_assert(is(StepStatus::completed, GOISHI_COMPLETED) && is(StepStatus::dive
 /// The angle between two attitudes   [rad].
 [[nodiscard]] double angle_between(const Quat<double>& a, const Quat<double>& b) {
   const Quat<double> turn = formula::product(Quat<double>(a.conjugate()), b);
-  return 2.0 * std::atan2(turn.vec().norm(), std::abs(turn.w()));
+  return 2.0 * scalar::atan2(detail::length(Vec3<double>(turn.vec())), std::abs(turn.w()));
 }
 
 }  // namespace
@@ -124,7 +125,8 @@ int goishi_flight(const double* stone, size_t stone_size, const double* state, s
       row << time;
       put_motion(row, stepped.state, rigid, g_W);
       put_motion(row, exact, rigid, g_W);
-      row << angle_between(exact.q_WB, stepped.state.q_WB) << Vec(stepped.state.p_WB - exact.p_WB).norm();
+      row << angle_between(exact.q_WB, stepped.state.q_WB)
+          << detail::length(Vec3<double>(stepped.state.p_WB - exact.p_WB));
     }
     write(result, rows);
     *done = result.size() / GOISHI_FLIGHT_SIZE;

@@ -13,11 +13,6 @@
 
 using List = std::vector<double>;
 
-struct Group {
-  int begin, count;
-  double scale;  // 0: to the last bit
-};
-
 inline void print(double value) {
   std::printf("\"%016" PRIx64 "\"", std::bit_cast<std::uint64_t>(value));
 }
@@ -74,43 +69,14 @@ class Case {
     return end();
   }
 
-  void gives(int status, const List& result, const std::vector<List>& stones, const std::vector<Group>& groups) {
+  void gives(int status, const List& result) {
     if (status != GOISHI_OK) {
       std::fprintf(stderr, "case %d: %s\n", count, goishi_message());
       std::exit(1);
     }
     std::printf("],\"result\":");
     print(result);
-    std::printf(",\"stones\":[");
-    for (std::size_t i = 0; i < stones.size(); ++i) {
-      List measures(GOISHI_MEASURES_SIZE);
-      static_cast<void>(goishi_measures(stones[i].data(), stones[i].size(), measures.data(), measures.size()));
-      std::printf(i == 0 ? "{\"stone\":" : ",{\"stone\":");
-      print(stones[i]);
-      std::printf(",\"measures\":");
-      print(measures);
-      std::printf("}");
-    }
-    std::printf("],\"groups\":[");
-    int next = 0;
-    for (std::size_t i = 0; i < groups.size(); ++i) {
-      std::printf(i == 0 ? "[%d,%d," : ",[%d,%d,", groups[i].begin, groups[i].count);
-      if (groups[i].scale == 0.0) {
-        std::printf("null]");
-      } else {
-        std::printf("%.17g]", groups[i].scale);
-      }
-      if (groups[i].begin != next) {
-        std::fprintf(stderr, "case %d: the groups leave numbers out\n", count);
-        std::exit(1);
-      }
-      next = groups[i].begin + groups[i].count;
-    }
-    if (next != static_cast<int>(result.size())) {
-      std::fprintf(stderr, "case %d: the groups are not of all numbers\n", count);
-      std::exit(1);
-    }
-    std::printf("]}");
+    std::printf("}");
   }
 
   static int count;

@@ -161,7 +161,8 @@ std::vector<Claim> time_of_impact_body_claims() {
                          epsilon),
                   none("faults", "faults")},
        .mutants = {{"contact/time_of_impact.hpp", "gap.add(formula::wobble(other, other_path, n));", ""},
-                   {"contact/time_of_impact.hpp", "n.dot(Vec3<T>(path.v_W - other_path.v_W))", "n.dot(path.v_W)"}},
+                   {"contact/time_of_impact.hpp", "formula::dot(n, formula::minus(path.v_W, other_path.v_W))",
+                    "formula::dot(n, path.v_W)"}},
        .measure = measure_pair},
   };
 }

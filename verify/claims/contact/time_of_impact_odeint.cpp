@@ -157,7 +157,8 @@ std::vector<Claim> time_of_impact_odeint_claims() {
        .mutants = {{"motion/flight_path.hpp", "formula::combination(turn.cos", "formula::combination(T(-turn.cos)"},
                    {"contact/gap_along.hpp", "formula::dot(formula::cross(path.k_W, path.u_W), n),",
                     "formula::dot(formula::cross(path.u_W, path.k_W), n),"},
-                   {"contact/time_of_impact.hpp", "n.dot(Vec3<T>(path.a_W - other_path.a_W))", "n.dot(path.a_W)"}},
+                   {"contact/time_of_impact.hpp", "formula::dot(n, formula::minus(path.a_W, other_path.a_W))",
+                    "formula::dot(n, path.a_W)"}},
        .measure = measure_events},
   };
 }

@@ -224,7 +224,7 @@ std::vector<Claim> law_claims() {
                       "ten times amplified where h is within 10 % of w or b of h",
                       epsilon),
                   within("powers of two", 0.0, "relative", "they are exact; taken where h is nearer to w, or b to h")},
-       .mutants = {{"mass/inertia.hpp", "scalar::sq(r1_2) * g", "r1_2 * g"},
+       .mutants = {{"mass/inertia.hpp", "T(fourth(r1)) * g", "r1_2 * g"},
                    {"mass/volume.hpp", "scalar::sq(stone.joint_radius) + scalar::sq(terms.cap_height);",
                     "scalar::sq(stone.joint_radius) + terms.cap_height;"}},
        .measure = measure_scaling},

@@ -301,8 +301,8 @@ std::vector<Claim> domain_steppers_claims() {
                    {"motion/steppers.hpp", "scalar::is_finite(p) && scalar::is_finite(v)",
                     "scalar::is_finite(T(p.sum() + v.sum()))"},
                    {"motion/steppers.hpp", "Vec3<T>(dt * inverse_moments_), T(1)", "inverse_moments_, dt"},
-                   {"motion/steppers.hpp", "const T size = update.cwiseAbs().sum();",
-                    "const T size = update.squaredNorm();"},
+                   {"motion/steppers.hpp", "if (size_of(update) <= small)",
+                    "if (formula::dot(update, update) <= small)"},
                    {"motion/steppers.hpp", "T(1) / T(4) < square && square < T(4)", "square < T(4)"}},
        .measure = measure_both(see_steps<double>, see_steps<float>, 120, 1500)},
       {.id = "DOMAIN-15",
@@ -321,8 +321,8 @@ std::vector<Claim> domain_steppers_claims() {
                   within("attitude", 8.0, "ε", half_as_many, 1.0),
                   within("length", 8.0, "ε, beyond the attitude's own defect", half_as_many, 1.0)},
        .mutants = {{"motion/invariants.hpp", "formula::reunited(q_WV).conjugate()", "q_WV.conjugate()"},
-                   {"motion/invariants.hpp", "body.mass * state.v_WB.dot(state.v_WB) / T(2)",
-                    "scalar::sq(T(body.mass)) * state.v_WB.dot(state.v_WB) / (T(2) * body.mass)"}},
+                   {"motion/invariants.hpp", "body.mass * formula::dot(state.v_WB, state.v_WB) / T(2)",
+                    "scalar::sq(T(body.mass)) * formula::dot(state.v_WB, state.v_WB) / (T(2) * body.mass)"}},
        .measure = measure_both(see_invariants<double>, see_invariants<float>, 1000, 10'000)},
   };
 }

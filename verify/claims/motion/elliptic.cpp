@@ -232,7 +232,7 @@ std::vector<Claim> elliptic_claims() {
        .checks = {within("energy", 4.0, "ε L²/I_least", "the rounded attitude's own ε, and the start's", 0.25),
                   within("length", 4.0, "ε, of |q|²", "the attitude is rounded once", 0.5)},
        .mutants = {{"motion/elliptic_flight.hpp", "T(flip * jacobi.B * at.sn)", "T(-flip * jacobi.B * at.sn)"},
-                   {"motion/elliptic_flight.hpp", "* end_S * q_BF.conjugate()", "* start_S * q_BF.conjugate()"}},
+                   {"motion/elliptic_flight.hpp", "formula::product(turn, end_S)", "formula::product(turn, start_S)"}},
        .measure = measure_elliptic_invariants},
       {.id = "ELLIPTIC-5",
        .statement = "Which axis of the body is called x does not matter.",

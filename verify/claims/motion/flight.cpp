@@ -269,7 +269,7 @@ std::vector<Claim> flight_claims() {
        .oracle = "cosine and sine of half the vector's length in 34 digits",
        .checks = {within("", 2.0, "ε |θ|",
                          "half from the root of a sum of squares, half from sine, quotient and product", 0.5)},
-       .mutants = {{"rotation.hpp", "theta.dot(theta) + scalar::tiny<T>()", "theta.dot(theta)"},
+       .mutants = {{"rotation.hpp", "scalar::sq(theta.z()) + scalar::tiny<T>()", "scalar::sq(theta.z())"},
                    {"rotation.hpp", "half = angle / T(2)", "half = angle / T(2) * (T(1000001) / T(1000000))"}},
        .measure = measure_exponential},
       {.id = "BATCH-1",

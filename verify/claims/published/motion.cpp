@@ -260,7 +260,7 @@ std::vector<Claim> published_motion_claims() {
                          "the energy's random walk, half of it in the rate; "
                          "measured 2026-11-30: 0.09"),
                   within("ball", 3.0, "ε √n of the angle turned", "two such walks; measured 2026-11-30: 0.6")},
-       .mutants = {{"published/attitude_step.hpp", "formula::raw_euler_attitude(q, w_WB, dt).normalized()",
+       .mutants = {{"published/attitude_step.hpp", "detail::normalized(formula::raw_euler_attitude(q, w_WB, dt))",
                     "formula::exponential_euler_attitude(q, w_WB, dt)"},
                    {"published/attitude_step.hpp", "angular_momentum_W(next, body", "angular_momentum_W(q, body"},
                    {"rotation.hpp", "const T half = T(1) / T(2)", "const T half = T(1)"}},
