@@ -139,6 +139,32 @@ TEST(SceneCluster, ATiltMovesItOnlyBeyondFriction) {
   EXPECT_GT(scene.state(below).p_WB.x(), 0.5 * 0.98 * 0.005);
 }
 
+/// About where the lower one touches the board the two have the moment 2 m g_x h, and it bears δ 2 m g_z.
+TEST(SceneCluster, APileTipsWhereResistanceEnds) {
+  const Kind kind;
+  SceneSettings<double> settings = rough();
+  settings.drop.rolling_resistance = 1e-4;
+  const double most = 1e-4 / 0.0092;
+  for (const double share : {0.9, 1.1}) {
+    Scene<double> scene(make_board<double>(), settings);
+    scene.add(kind.stone, kind.body, lying(0, 0, 0.0046));
+    const StoneId above = scene.add(kind.stone, kind.body, lying(0, 0, 0.0138));
+    ASSERT_TRUE(scene.run_until_rest(1));
+    const State<double> before = scene.state(above);
+    SceneSettings<double> leaning = settings;
+    leaning.drop.gravity = {share * most * 9.8, 0, -9.8};
+    scene.change(leaning);
+    scene.advance(0.3);
+    const double moved = scene.state(above).p_WB.x() - before.p_WB.x();
+    if (share < 1) {
+      EXPECT_EQ(scene.mode(above), StoneMode::rest);
+      EXPECT_LT(std::abs(moved), 1e-7);
+    } else {
+      EXPECT_GT(moved, 1e-5);
+    }
+  }
+}
+
 TEST(SceneCluster, APushWakesWhatItReaches) {
   const Kind kind(0.001);
   Scene<double> scene(make_board<double>(), rough());
