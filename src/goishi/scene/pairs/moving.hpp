@@ -63,7 +63,7 @@ template <Ordered T>
   const Touching<T>& touching = *moving.touching;
   const auto bounds = [&](std::size_t i, T& rate, T& bend) {
     for (std::size_t k = 1; k < touching.along.c.size(); ++k) {
-      const T size = magnitude_of(T(touching.along.c[k][i]));
+      const T size = scalar::abs(T(touching.along.c[k][i]));
       const auto power = static_cast<int>(k);
       rate = rate + T(power) * size;
       bend = bend + T(power * (power - 1)) * size;
@@ -104,7 +104,7 @@ template <Ordered T>
     const ContactPlace<T> now = place_of(body, touching->frame.feature, y);
     const std::array<T, 2> s = slip_of(touching->frame.mode, y);
     const Vec3<T>& g = body.gravity;
-    const T fall = magnitude_of(T(g.z())) * (now.height - drop.stone().height / T(2));
+    const T fall = scalar::abs(T(g.z())) * (now.height - drop.stone().height / T(2));
     const T energy = formula::contact_kinetic_energy(now, s[0], s[1]) + (fall < T(0) ? T(0) : fall);
     const T slope = scalar::sqrt(T(scalar::sq(g.x()) + scalar::sq(g.y())));
     return T(1.01) * lever * scalar::sqrt(T(T(2) * energy)) + slope * touching->length;
