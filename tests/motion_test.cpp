@@ -144,17 +144,17 @@ TYPED_TEST(ElementarySpin, TheAxisCirclesTheMomentum) {
 TEST(FreeFlight, KeptIsTheSameAtEveryTime) {
   const State<double> start{
       .p_WB = {1.0, 2.0, 3.0}, .q_WB = {0.5, 0.5, 0.5, 0.5}, .v_WB = {1.0, 0.0, -2.0}, .L_W = {0.1, 0.2, 0.3}};
-  const Vec3<double> gravity = gravity_W<double>();
+  const Vec3<double> down = gravity_W<double>();
   // As it is, next to nothing, and not turning.
   for (const double size : {1.0, 1e-200, 0.0}) {
     State<double> turning = start;
     turning.L_W *= size;
     const double unit = size > 0.0 ? size : 1.0;
     const auto rates = make_top_rates(Moments<double>{.axial = 0.2 * unit, .transverse = 0.3 * unit});
-    const Flight<double> flight(turning, rates, gravity);
+    const Flight<double> flight(turning, rates, down);
     for (int i = -100; i < 100; ++i) {
       const double t = 0.37 * i;
-      const State<double> kept = flight.at(t), asked = free_flight(turning, rates, gravity, t);
+      const State<double> kept = flight.at(t), asked = free_flight(turning, rates, down, t);
       EXPECT_EQ(kept.p_WB, asked.p_WB);
       EXPECT_EQ(kept.v_WB, asked.v_WB);
       EXPECT_EQ(kept.L_W, asked.L_W);
