@@ -161,8 +161,10 @@ export class Plot {
     if (!plot || !this.#options.scrub) return;
     const width = this.#width - gutter.left - gutter.right;
     const share = Math.min(1, Math.max(0, (this.#time - this.#from) / (this.#to - this.#from)));
-    this.#now.style.transform = `translateX(${(gutter.left + share * width).toFixed(2)}px)`;
-    this.#veil.style.transform = `translateX(${(gutter.left + share * width).toFixed(2)}px) scaleX(${((1 - share) * width).toFixed(2)})`;
+    const at = Math.round(gutter.left + share * width), place = `translateX(${at}px)`;
+    if (this.#now.style.transform === place) return;
+    this.#now.style.transform = place;
+    this.#veil.style.transform = `${place} scaleX(${gutter.left + width - at})`;
   }
 
   #listen(scrub: (x: number) => void): void {

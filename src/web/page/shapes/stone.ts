@@ -4,7 +4,7 @@ import { C, type Goishi, type Numbers } from "../core";
 import { rgb, type Token } from "../look";
 import { lightGlsl, lightUniforms } from "./light";
 
-const around = 56, along = 8; // facets about the axis, and along each part of the profile
+const around = 40, along = 5; // facets about the axis, and along each part of the profile
 
 /** The surface of a stone   [mm], or as much of it as a turn by `sweep` about the axis makes. */
 export function stoneGeometry(goishi: Goishi, stone: Numbers, sweep = 2 * Math.PI): BufferGeometry {
