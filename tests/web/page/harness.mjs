@@ -39,10 +39,11 @@ export class Browser {
   /** What the page said or asked for: it should be nothing. */
   said = [];
 
-  static async start(file) {
+  /** `more` are flags for Chromium, besides those that all tests need. */
+  static async start(file, more = []) {
     const one = new Browser();
     one.#file = pathToFileURL(file).href;
-    one.#browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: flags });
+    one.#browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: [...flags, ...more] });
     return one;
   }
 
@@ -85,6 +86,14 @@ export class Browser {
     const wall = await page.evaluate(() => Number(document.documentElement.dataset.ready));
     await context.close();
     return { wall, work: 1000 * metrics.find(({ name }) => name === "TaskDuration").value };
+  }
+
+  /** The processor time of what draws, pages and GPU process, so far   [ms]. */
+  async work() {
+    const session = await this.#browser.newBrowserCDPSession();
+    const { processInfo } = await session.send("SystemInfo.getProcessInfo");
+    await session.detach();
+    return 1000 * processInfo.filter(({ type }) => type === "renderer" || type === "GPU").reduce((sum, { cpuTime }) => sum + cpuTime, 0);
   }
 
   async close() {

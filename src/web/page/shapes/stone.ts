@@ -69,7 +69,7 @@ uniform vec3 base;
 ${growth}
 void main() {
   vec3 n = normalize(vN), v = normalize(cameraPosition - vW);
-  float edge = pow(1.0 - abs(dot(n, v)), 1.6);
+  float side = 1.0 - abs(dot(n, v)), edge = side * sqrt(side);
   float stripe = smoothstep(0.44, 0.56, growth());
   gl_FragColor = vec4(base, (0.16 + 0.72 * edge) * (0.78 + 0.22 * stripe) + 0.07 * stripe);
 }`;
