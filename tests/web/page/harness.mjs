@@ -170,6 +170,10 @@ export const pixels = async (page, locator) => look(page, [await locator.screens
   return { colors: colors.size, commonest: Math.max(...colors.values()) / (all.length / 4) };
 });
 
+/** The mean colour of a picture: red, green, blue. */
+export const middle = (page, picture) => look(page, [picture], (all) =>
+  [0, 1, 2].map((k) => all.filter((_, i) => i % 4 === k).reduce((sum, value) => sum + value, 0) / (all.length / 4)));
+
 /** In how many pixels two pictures of one size differ clearly. */
 export const difference = (page, one, other) => look(page, [one, other], (a, b) => {
   let count = 0;
