@@ -152,7 +152,8 @@ export class Plot {
       }))],
     }, this.#data, this.#field);
     if (this.#options.scrub) this.#field.append(...(this.#options.veiled === false ? [] : [this.#veil]), this.#now);
-    this.#veil.style.bottom = this.#now.style.bottom = `${below ? axis : 8}px`;
+    this.#now.style.bottom = `${below ? axis : 8}px`;
+    this.#veil.style.bottom = `${(below ? axis : 8) - 2}px`; // a line along the lower edge is veiled, too
     this.#move();
   }
 
@@ -163,8 +164,7 @@ export class Plot {
     const share = Math.min(1, Math.max(0, (this.#time - this.#from) / (this.#to - this.#from)));
     const at = Math.round(gutter.left + share * width), place = `translateX(${at}px)`;
     if (this.#now.style.transform === place) return;
-    this.#now.style.transform = place;
-    this.#veil.style.transform = `${place} scaleX(${gutter.left + width - at})`;
+    this.#now.style.transform = this.#veil.style.transform = place;
   }
 
   #listen(scrub: (x: number) => void): void {

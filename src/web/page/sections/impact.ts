@@ -48,7 +48,6 @@ export const impact: Section = {
       show_();
       remember(place, controls);
     });
-    way.element.classList.add("starts");
     const words = el("p", "remark says", { "aria-live": "polite" }), refused = el("p", "rule", { role: "alert" });
     wide.append(words);
     const figure = stage.figure(wide, {
