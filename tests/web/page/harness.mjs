@@ -101,10 +101,10 @@ export class Browser {
   }
 }
 
-/** Until nothing is drawn any more, and the address is written. */
-export async function settle(page) {
-  for (let still = 0, last = -1, tries = 0; still < 3 && tries < 60; ++tries) {
-    await page.waitForTimeout(120);
+/** Until nothing is drawn any more; and the address is written, unless it is asked more often. */
+export async function settle(page, every = 120) {
+  for (let still = 0, last = -1, tries = 0; still < 3 && tries < 7200 / every; ++tries) {
+    await page.waitForTimeout(every);
     const [now, rests] = await page.evaluate(() => [globalThis.frames_, globalThis.goishiStage?.atRest ?? true]);
     still = rests && now === last ? still + 1 : 0;
     last = now;
@@ -124,7 +124,7 @@ export const shown = (page, id) => page.evaluate((section) => Object.fromEntries
 
 /** Numbers and graphs of a section, as one text that changes with them. */
 export async function numbersAndGraphs(page, id) {
-  await settle(page);
+  await settle(page, 30);
   return page.evaluate((section) => [
     ...[...document.querySelectorAll(`[data-section=${section}] [data-name][data-value]:not(input, fieldset)`)].map((one) => `${one.dataset.name}=${one.dataset.value}`),
     ...[...document.querySelectorAll(`[data-section=${section}] .plot canvas`)].filter((one) => one.checkVisibility()).map((one) => one.toDataURL()),
