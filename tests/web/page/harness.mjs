@@ -71,7 +71,7 @@ export class Browser {
   async section(id, options = {}) {
     const page = await this.open({ hash: `#${id}`, ...options });
     await page.waitForSelector(`[data-section=${id}][data-ready]`);
-    await settle(page);
+    await settle(page, 120, options.still === false ? 1200 : 7200); // what moves by itself does not come to rest soon
     return page;
   }
 
@@ -101,9 +101,9 @@ export class Browser {
   }
 }
 
-/** Until nothing is drawn any more; and the address is written, unless it is asked more often. */
-export async function settle(page, every = 120) {
-  for (let still = 0, last = -1, tries = 0; still < 3 && tries < 7200 / every; ++tries) {
+/** Until nothing is drawn any more; and the address is written, unless it is asked more often. It gives up after a time. Both in ms. */
+export async function settle(page, every = 120, most = 7200) {
+  for (let still = 0, last = -1, tries = 0; still < 3 && tries < most / every; ++tries) {
     await page.waitForTimeout(every);
     const [now, rests] = await page.evaluate(() => [globalThis.frames_, globalThis.goishiStage?.atRest ?? true]);
     still = rests && now === last ? still + 1 : 0;
