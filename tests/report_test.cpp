@@ -205,6 +205,8 @@ TEST(ReportHtml, ShowsEverything) {
   }
   EXPECT_FALSE(contains(text, "derivations"));
   EXPECT_TRUE(contains(html_report(sample.run, {}, "the derivations.html"), "<a href=\"the derivations.html\">"));
+  EXPECT_FALSE(contains(text, "in a browser"));
+  EXPECT_TRUE(contains(html_report(sample.run, {}, "", "../page & more.html"), "<a href=\"../page &amp; more.html\">"));
   EXPECT_FALSE(contains(text, "<script"));
   EXPECT_FALSE(contains(text, " src="));
   EXPECT_FALSE(contains(text, "url("));

@@ -41,9 +41,10 @@ struct Section {
 };
 
 /// One self-contained page (polyglot XHTML5, inline SVG and CSS, no script needed). Sections stand between the overview
-/// and the details. `derivations` is the address of the page with the symbolic proofs, if there is one to lead to.
+/// and the details. `derivations` is the address of the page with the symbolic proofs, `browser_page` that of the library
+/// in a browser, if there is one to lead to.
 [[nodiscard]] std::string html_report(const Run& run, const std::vector<Section>& sections = {},
-                                      const std::string& derivations = {});
+                                      const std::string& derivations = {}, const std::string& browser_page = {});
 
 /// A page of one section alone, with the same stamp and style.
 [[nodiscard]] std::string html_page(const Section& section, const Stamp& stamp, double seconds);

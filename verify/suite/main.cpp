@@ -178,8 +178,11 @@ void write_report(const Run& run, const std::filesystem::path& folder, bool with
     write_file(folder / bench::csv_name, bench::csv_report(measured));
   }
   const std::string derivations = "derivations.html";  // derivations/document writes it
-  write_file(folder / "report.html",
-             html_report(run, sections, std::filesystem::exists(folder / derivations) ? derivations : ""));
+  const std::string page = "../web/goishi.html";       // src/web/build writes it
+  const auto if_there = [&folder](const std::string& file) {
+    return std::filesystem::exists(folder / file) ? file : "";
+  };
+  write_file(folder / "report.html", html_report(run, sections, if_there(derivations), if_there(page)));
   write_file(folder / "report.json", json_report(run));
   write_file(folder / "junit.xml", junit_report(run));
 }

@@ -252,7 +252,7 @@ export class Presets<V extends string> {
 
   constructor(host: HTMLElement, options: { name: string; label: string; choices: readonly Choice<V>[] }, choose: (value: V) => void) {
     const group = fresh(options.name);
-    this.element = el("fieldset", "pills starts", {}, el("legend", "unseen", {}, options.label));
+    this.element = el("fieldset", "pills", {}, el("legend", "unseen", {}, options.label));
     for (const { value, label } of options.choices) {
       const input = el("input", "", { type: "radio", name: group, value, "data-name": options.name });
       input.addEventListener("change", () => choose(value));

@@ -240,7 +240,10 @@ export class Figure {
   }
 }
 
+/** As a picture that is handed over: a canvas that is drawn in costs its copy in each frame. */
 function copy(from: HTMLCanvasElement, to: HTMLCanvasElement): void {
   [to.width, to.height] = [from.width, from.height];
-  to.getContext("2d")!.drawImage(from, 0, 0);
+  const picture = new OffscreenCanvas(from.width, from.height);
+  picture.getContext("2d")!.drawImage(from, 0, 0);
+  to.getContext("bitmaprenderer")!.transferFromImageBitmap(picture.transferToImageBitmap());
 }

@@ -24,6 +24,10 @@ export const digits = (value: number, count: number): string => {
 export const power = (exponent: number): string =>
   `10${[...String(exponent)].map((c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(c)]!)).join("")}`;
 
+/** While time goes by words are written as often as they can be read, for a new text costs as much as a picture: `due` says
+ * whether they are. */
+export const words = { due: true };
+
 /** A number on the page: text for people, and all its digits for tests, which compare them with the native library. */
 export class Shown {
   readonly element: HTMLElement;
@@ -38,6 +42,7 @@ export class Shown {
 
   /** `value` is in SI units, `text` has its unit. */
   set(value: number, text: string): void {
+    if (!words.due) return;
     if (text !== this.#text) this.element.textContent = this.#text = text;
     this.element.dataset.value = exactly(value);
   }

@@ -152,7 +152,8 @@ export class Plot {
       }))],
     }, this.#data, this.#field);
     if (this.#options.scrub) this.#field.append(...(this.#options.veiled === false ? [] : [this.#veil]), this.#now);
-    this.#veil.style.bottom = this.#now.style.bottom = `${below ? axis : 8}px`;
+    this.#now.style.bottom = `${below ? axis : 8}px`;
+    this.#veil.style.bottom = `${(below ? axis : 8) - 2}px`; // a line along the lower edge is veiled, too
     this.#move();
   }
 
@@ -161,8 +162,9 @@ export class Plot {
     if (!plot || !this.#options.scrub) return;
     const width = this.#width - gutter.left - gutter.right;
     const share = Math.min(1, Math.max(0, (this.#time - this.#from) / (this.#to - this.#from)));
-    this.#now.style.transform = `translateX(${(gutter.left + share * width).toFixed(2)}px)`;
-    this.#veil.style.transform = `translateX(${(gutter.left + share * width).toFixed(2)}px) scaleX(${((1 - share) * width).toFixed(2)})`;
+    const at = Math.round(gutter.left + share * width), place = `translateX(${at}px)`;
+    if (this.#now.style.transform === place) return;
+    this.#now.style.transform = this.#veil.style.transform = place;
   }
 
   #listen(scrub: (x: number) => void): void {

@@ -24,6 +24,7 @@ export class Stage {
   #frame = 0;
   #last = 0;
   #scale = 1;
+  #finest = 2; // that a moving picture may become
   #slow = 0;
   #fast = 0;
   #settling = 0;
@@ -37,6 +38,7 @@ export class Stage {
       renderer.setClearColor(new Color(0), 0);
       renderer.autoClear = false;
       renderer.domElement.className = "gl";
+      if (byProcessor(renderer)) this.#finest = 1;
       renderer.domElement.addEventListener("webglcontextrestored", () => this.#redrawAll());
     } catch {
       renderer = null; // figures say so
@@ -138,7 +140,7 @@ export class Stage {
     if (this.#slow >= 5 && at > 0) {
       this.#scale = scales[at - 1]!;
       this.#slow = 0;
-    } else if (this.#fast >= 90 && at < scales.length - 1) {
+    } else if (this.#fast >= 90 && this.#scale < this.#finest) {
       this.#scale = scales[at + 1]!;
       this.#fast = 0;
     }
@@ -161,9 +163,20 @@ export class Stage {
     return this.#frame === 0 && this.#steps.size === 0 && this.#coarse.size === 0;
   }
 
+  /** Where a point [mm] is seen in the figure of an element, in its pixels: for tests. */
+  where(element: Element, point: readonly [number, number, number]): { x: number; y: number } | null {
+    return this.#byElement.get(element)?.project(point) ?? null;
+  }
+
   /** What the drawings hold of the graphics memory: tests look whether it grows. */
   get memory(): { geometries: number; textures: number } {
     const { geometries, textures } = this.#renderer?.info.memory ?? { geometries: 0, textures: 0 };
     return { geometries, textures };
   }
+}
+
+/** Whether no graphics card draws: then finer pictures would only take time from other programs. */
+function byProcessor(renderer: WebGLRenderer): boolean {
+  const context = renderer.getContext(), extension = context.getExtension("WEBGL_debug_renderer_info");
+  return extension !== null && /swiftshader|llvmpipe|software|basic render/i.test(String(context.getParameter(extension.UNMASKED_RENDERER_WEBGL)));
 }

@@ -2,7 +2,7 @@
 import { el, html, icon } from "./dom";
 import { iconButton } from "./controls";
 import { movesByItself, type Token } from "./look";
-import { fixed, Shown } from "./numbers";
+import { fixed, Shown, words } from "./numbers";
 import type { Stage } from "./stage";
 
 /** Something that happened. */
@@ -26,6 +26,9 @@ export interface TransportOptions {
   show: (time: number, stopped: boolean) => void;
 }
 
+const readable = 0.08; // [s] between two texts while it plays
+const seen = 1 / 400;  // of the timeline: what its thumb moves at least, while it plays
+
 let playing: Transport | null = null; // one at a time: there is one stage
 
 export class Transport {
@@ -45,6 +48,8 @@ export class Transport {
   #now = 0;
   #speed: number;
   #direction: 1 | -1 = 1;
+  #unread = 0; // [s] since the last text
+  #share = 0;  // where the thumb stands
 
   /** `section` is what its keys work in: space plays, comma and full stop step. */
   constructor(host: HTMLElement, section: HTMLElement, stage: Stage, options: TransportOptions) {
@@ -172,8 +177,15 @@ export class Transport {
     const over = this.#direction > 0 ? this.#now >= this.#end : this.#now <= 0;
     this.#now = Math.min(this.#end, Math.max(0, this.#now));
     if (over) playing = null;
-    this.#write();
-    this.#o.show(this.#now, over);
+    this.#unread += dt;
+    words.due = over || this.#unread >= readable;
+    if (words.due) this.#unread = 0;
+    try {
+      this.#write();
+      this.#o.show(this.#now, over);
+    } finally {
+      words.due = true;
+    }
     if (over) this.#label();
     return !over;
   }
@@ -193,8 +205,11 @@ export class Transport {
 
   #write(): void {
     const share = this.#now / this.#end;
-    this.#slider.value = String(Math.round(share * 10000));
-    this.#slider.style.setProperty("--share", share.toFixed(4));
+    if (!this.playing || Math.abs(share - this.#share) >= seen) {
+      this.#share = share;
+      this.#slider.value = String(Math.round(share * 10000));
+      this.#slider.style.setProperty("--share", share.toFixed(4));
+    }
     const text = `${fixed(this.#now, this.#o.decimals ?? 3)} s`;
     this.#time.set(this.#now, text);
     if (!this.playing) this.#slider.setAttribute("aria-valuetext", text);

@@ -1,6 +1,6 @@
 // Dynamics: what it shows is what the native library gives.
 
-import { difference, expect, framesIn, near, settle, shown } from "./harness.mjs";
+import { difference, expect, framesIn, middle, near, settle, shown } from "./harness.mjs";
 
 const inside = "[data-section=dynamics]";
 const attitude = [0.11, 0.51, 0.09, 0.85], g = 9.80665;
@@ -52,6 +52,27 @@ export async function test({ browser, cases, native, C }) {
     near(there.energy, expected.energy(step), close, `the energy, ${what}`, 1);
     return { there, expected, step };
   }
+
+  await case_("loop and ghost are seen where their numbers say", async () => {
+    const page = await browser.section("dynamics", { hash: "#dynamics?moves=gravity&step=50" });
+    const flight = await natively({ moves: "gravity", step: 50 });
+    await seek(page, (flight.steps * 0.05) / flight.end);
+    await settle(page);
+    const row = flight.row(flight.steps), place = (from) => row.slice(from + C.POSITION, from + C.POSITION + 3).map((value) => 1e3 * value);
+    const picture = page.locator(`${inside} .picture`), color = async (point) => {
+      const [x, y] = await page.evaluate(([where, at]) => {
+        const element = document.querySelector(where), { x, y } = globalThis.goishiStage.where(element, at);
+        return [x, y];
+      }, [`${inside} .picture`, point]);
+      const box = await picture.boundingBox();
+      return middle(page, await page.screenshot({ clip: { x: box.x + x - 3, y: box.y + y - 3, width: 6, height: 6 } }));
+    };
+    const [ghost, loop] = [await color(place(C.EXACTLY)), await color(place(C.STEPPED))];
+    const teal = ([red, green]) => green - red;
+    expect(teal(ghost) > 12, `the ghost's middle is ${ghost}`);
+    expect(teal(loop) < 4, `the loop's middle is ${loop}`);
+    await page.context().close();
+  });
 
   await case_("errors, energy and momentum are those of the native library, by each loop and motion", async () => {
     const page = await browser.section("dynamics");

@@ -175,13 +175,60 @@ export async function every(id, browser, cases, report) {
       const there = JSON.stringify(await shown(again, id));
       expect(there === changed, `${there} is not ${changed}`);
       await again.context().close();
-      const keys = [...new URLSearchParams(hash.split("?")[1]).keys()];
-      for (const value of ["1e99", "NaN", "", "%00", "<b>", "-1e-400x"]) {
-        const odd = await browser.section(id, { hash: `#${id}?${keys[0]}=${value}&nothing=1&&=` });
-        expect(JSON.stringify(await shown(odd, id)) === first, `${keys[0]}=${value} changes what is shown`);
+      const keys = await page.locator(`${inside} :is(input.number, fieldset.pills, .switch input)[data-name]`)
+        .evaluateAll((all) => [...new Set(all.map((one) => one.dataset.name))]);
+      const wrong = ["1e99", "NaN", "", "%00", "<b>", "-1e-400x"];
+      expect(keys.length > 0, "no key is known");
+      for (const from of [0, 1]) { // each key has two of them
+        const query = keys.map((key, i) => `${key}=${wrong[(i + 3 * from) % wrong.length]}`).join("&");
+        const odd = await browser.section(id, { hash: `#${id}?${query}&nothing=1&&=` });
+        expect(JSON.stringify(await shown(odd, id)) === first, `${query} changes what is shown`);
         await odd.context().close();
       }
     }
+    await page.context().close();
+  });
+
+  await case_("it pauses while the page is hidden", async () => {
+    const page = await browser.section(id, { still: false });
+    const play = page.locator(`${inside} .round.main`).first();
+    if (await play.count()) {
+      if (await play.getAttribute("aria-label") === "play") await play.click();
+      const hide = (hidden) => page.evaluate((value) => {
+        Object.defineProperty(document, "hidden", { configurable: true, get: () => value });
+        document.dispatchEvent(new Event("visibilitychange"));
+      }, hidden);
+      await hide(true);
+      await page.waitForTimeout(100);
+      const time = () => page.locator(`${inside} .timeline`).inputValue();
+      const [frames, before] = [await framesIn(page, 500), await time()];
+      expect(frames === 0, `${frames} frames`);
+      await hide(false);
+      expect(await framesIn(page, 500) > 0 && await time() !== before, "it does not go on");
+    }
+    await page.context().close();
+  });
+
+  await case_("a finger turns the picture, and still scrolls the page", async () => {
+    const page = await browser.section(id, { width: 390, height: 800 });
+    const picture = page.locator(`${inside} .picture:visible`).first(), devtools = await page.context().newCDPSession(page);
+    await page.evaluate(() => document.querySelectorAll(".overlay").forEach((one) => (one.style.visibility = "hidden")));
+    await picture.scrollIntoViewIfNeeded();
+    await settle(page);
+    const swipe = async (dx, dy) => {
+      const box = await picture.boundingBox(), [x, y] = [box.x + (dx < 0 ? box.width - 14 : 14), box.y + box.height - 24];
+      const touch = (type, points) => devtools.send("Input.dispatchTouchEvent", { type, touchPoints: points });
+      await touch("touchStart", [{ x, y }]);
+      for (let i = 1; i <= 10; ++i) await touch("touchMove", [{ x: x + (dx * i) / 10, y: y + (dy * i) / 10 }]);
+      await touch("touchEnd", []);
+      await settle(page);
+    };
+    const before = await picture.screenshot(), top = await page.evaluate(() => scrollY);
+    await swipe(160, 0);
+    expect(await difference(page, before, await picture.screenshot()) > 100, "it stays as it is");
+    expect(await page.evaluate(() => scrollY) === top, "the page scrolls");
+    await swipe(0, -200);
+    expect(await page.evaluate(() => scrollY) > top, "the page does not scroll");
     await page.context().close();
   });
 

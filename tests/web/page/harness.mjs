@@ -39,10 +39,11 @@ export class Browser {
   /** What the page said or asked for: it should be nothing. */
   said = [];
 
-  static async start(file) {
+  /** `more` are flags for Chromium, besides those that all tests need. */
+  static async start(file, more = []) {
     const one = new Browser();
     one.#file = pathToFileURL(file).href;
-    one.#browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: flags });
+    one.#browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: [...flags, ...more] });
     return one;
   }
 
@@ -70,7 +71,7 @@ export class Browser {
   async section(id, options = {}) {
     const page = await this.open({ hash: `#${id}`, ...options });
     await page.waitForSelector(`[data-section=${id}][data-ready]`);
-    await settle(page);
+    await settle(page, 120, options.still === false ? 1200 : 7200); // what moves by itself does not come to rest soon
     return page;
   }
 
@@ -87,15 +88,23 @@ export class Browser {
     return { wall, work: 1000 * metrics.find(({ name }) => name === "TaskDuration").value };
   }
 
+  /** The processor time of what draws, pages and GPU process, so far   [ms]. */
+  async work() {
+    const session = await this.#browser.newBrowserCDPSession();
+    const { processInfo } = await session.send("SystemInfo.getProcessInfo");
+    await session.detach();
+    return 1000 * processInfo.filter(({ type }) => type === "renderer" || type === "GPU").reduce((sum, { cpuTime }) => sum + cpuTime, 0);
+  }
+
   async close() {
     await this.#browser.close();
   }
 }
 
-/** Until nothing is drawn any more, and the address is written. */
-export async function settle(page) {
-  for (let still = 0, last = -1, tries = 0; still < 3 && tries < 60; ++tries) {
-    await page.waitForTimeout(120);
+/** Until nothing is drawn any more; and the address is written, unless it is asked more often. It gives up after a time. Both in ms. */
+export async function settle(page, every = 120, most = 7200) {
+  for (let still = 0, last = -1, tries = 0; still < 3 && tries < most / every; ++tries) {
+    await page.waitForTimeout(every);
     const [now, rests] = await page.evaluate(() => [globalThis.frames_, globalThis.goishiStage?.atRest ?? true]);
     still = rests && now === last ? still + 1 : 0;
     last = now;
@@ -115,7 +124,7 @@ export const shown = (page, id) => page.evaluate((section) => Object.fromEntries
 
 /** Numbers and graphs of a section, as one text that changes with them. */
 export async function numbersAndGraphs(page, id) {
-  await settle(page);
+  await settle(page, 30);
   return page.evaluate((section) => [
     ...[...document.querySelectorAll(`[data-section=${section}] [data-name][data-value]:not(input, fieldset)`)].map((one) => `${one.dataset.name}=${one.dataset.value}`),
     ...[...document.querySelectorAll(`[data-section=${section}] .plot canvas`)].filter((one) => one.checkVisibility()).map((one) => one.toDataURL()),
@@ -160,6 +169,10 @@ export const pixels = async (page, locator) => look(page, [await locator.screens
   }
   return { colors: colors.size, commonest: Math.max(...colors.values()) / (all.length / 4) };
 });
+
+/** The mean colour of a picture: red, green, blue. */
+export const middle = (page, picture) => look(page, [picture], (all) =>
+  [0, 1, 2].map((k) => all.filter((_, i) => i % 4 === k).reduce((sum, value) => sum + value, 0) / (all.length / 4)));
 
 /** In how many pixels two pictures of one size differ clearly. */
 export const difference = (page, one, other) => look(page, [one, other], (a, b) => {

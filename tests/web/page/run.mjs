@@ -1,10 +1,12 @@
 // Tests the page in a browser.
-// usage: node run.mjs SOURCE_DIR PAGE LIBRARY REPORT [SECTION…]   (goishi.html, libgoishi.so, a folder for pictures)
+// usage: node run.mjs SOURCE_DIR PAGE LIBRARY REPORT [PART…]
+// PAGE is goishi.html, LIBRARY libgoishi.so, REPORT a folder for pictures; a part is a section, or `whole`.
 
 import { existsSync, mkdirSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { Browser, Cases, expect, Native } from "./harness.mjs";
+import { cost } from "./cost.mjs";
 import { every } from "./every.mjs";
 import { whole } from "./whole.mjs";
 
@@ -22,9 +24,11 @@ const first = await browser.open();
 const ids = await first.evaluate(() => [...document.querySelectorAll("[data-section]")].map((one) => one.dataset.section));
 await first.context().close();
 
-if (only.length === 0) await whole(browser, cases, ids, report);
-for (const id of only.length > 0 ? only : ids) {
+const parts = only.length > 0 ? only : ["whole", ...ids];
+if (parts.includes("whole")) await whole(browser, cases, ids, report);
+for (const id of parts.filter((part) => part !== "whole")) {
   await every(id, browser, cases, report);
+  await cost(id, resolve(page), cases);
   await cases.run(`${id} has tests of its own`, async () => expect(existsSync(join(here, `${id}.mjs`)), `there is no ${id}.mjs`));
   if (existsSync(join(here, `${id}.mjs`))) await (await import(`./${id}.mjs`)).test({ browser, cases, native, C });
 }

@@ -1,6 +1,6 @@
 /** 7 The drop. */
 import { Plane, Scene, Vector3, type Raycaster } from "three";
-import { ChoiceControl, fold, NumberControl, panel, SwitchControl, type Control } from "../controls";
+import { ChoiceControl, fold, NumberControl, panel, Presets, SwitchControl, type Control } from "../controls";
 import { C, Refused, vec, type Numbers } from "../core";
 import { el } from "../dom";
 import { evidence } from "../evidence";
@@ -55,9 +55,10 @@ export const drop: Section = {
     let stone = stoneOf(goishi, { shell: "white", bevel: 1 });
     const shape = new StoneShape(goishi, stone), shadow = new ShadowShape(0, wood.half), below = new ShadowShape(1e3 * floorOf(board)), track = new TrailShape("#0b5c53");
     const ghost = new GhostShape(goishi, stone, "published"), arrow = new ArrowShape("impulse", { through: true, thick: 0.55 });
-    const starter = el("fieldset", "pills starts");
+    const starter = new Presets(wide, { name: "start", label: "ready-made starts",
+      choices: Object.entries(starts).map(([value, { label }]) => ({ value, label })) }, (name) => take(name));
     const says = el("p", "remark says", { "aria-live": "polite" });
-    wide.append(starter, says);
+    wide.append(says);
     const figure = stage.figure(wide, {
       label: "A Go stone over a board.", still, view: { target: [0, 0, 4], azimuth: -1.05, elevation: 0.42, distance: 190 },
       elevations: [0.06, 1.5], grip,
@@ -117,7 +118,7 @@ export const drop: Section = {
       choices: [{ value: "dry", label: "dry" }, { value: "slip", label: "in proportion to slip" }] }, changed);
     const shell = new ChoiceControl(choices, { key: "stone", label: "stone, size 33", value: "white",
       choices: [{ value: "white", label: "shell" }, { value: "black", label: "slate" }] }, changed);
-    const compare = new SwitchControl(left, { key: "loop", label: "beside it the talk’s loop, 60 times a second", value: false, token: "published" },
+    const compare = new SwitchControl(left, { key: "loop", label: "beside it a game loop, the talk’s, 60 steps a second", value: false, token: "published" },
       () => { arrange(); remember(place, controls); });
     const integral = new SwitchControl(left, { key: "jellett", label: "Jellett’s integral", value: false, token: "momentum" },
       () => { arrange(); remember(place, controls); });
@@ -158,14 +159,6 @@ export const drop: Section = {
       rolling: c.rolling.value, pivot: c.pivot.value, horizon: c.horizon.value,
     });
 
-    const inputs = new Map<string, HTMLInputElement>();
-    starter.append(el("legend", "unseen", {}, "ready-made starts"));
-    for (const [name, { label }] of Object.entries(starts)) {
-      const input = el("input", "", { type: "radio", name: "drop-start", value: name, "data-name": "start" });
-      input.addEventListener("change", () => take(name));
-      inputs.set(name, input);
-      starter.append(el("label", "pill", {}, input, label));
-    }
     /** The ready-made start that the controls have now. */
     function matching(): string | null {
       const same = ({ start }: { start: Partial<Start> }) => law.value === (start.law ?? "dry") &&
@@ -174,7 +167,7 @@ export const drop: Section = {
     }
     function mark(): void {
       const chosen = matching();
-      for (const [name, input] of inputs) input.checked = name === chosen;
+      starter.mark(chosen);
       says.textContent = chosen ? starts[chosen]!.says : "";
     }
     function take(name: string): void {
@@ -333,8 +326,8 @@ export const drop: Section = {
           const hit = ray.intersectPlane(upright, new Vector3());
           if (!hit) return;
           if (Number.isNaN(from.z)) from.z = hit.z;
-          c.height.value = Math.round(Math.min(150, Math.max(0, from.height + hit.z - from.z)));
-          c.tilt.value = Math.round(Math.min(180, Math.max(0, from.tilt + dx * 0.35)));
+          c.height.approach(from.height + hit.z - from.z);
+          c.tilt.approach(from.tilt + dx * 0.35);
           const state = startState(goishi, stone, values());
           shape.place(state);
           shadow.follow(shape);

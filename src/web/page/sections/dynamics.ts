@@ -61,7 +61,7 @@ export const dynamics: Section = {
     const bar = (token: Token) => `<i style="background: var(--${token})"></i>`;
     const vectors = [key(bar("momentum"), "<i>L</i>, exact: fixed"), key(bar("momentum-loop"), "<i>L</i> of the loop"),
       key(bar("exact"), "<i>ω</i>, exact"), key(bar("omega"), "<i>ω</i> of the loop")];
-    const great = el("div", "great"), apart = el("div", "small"), angle = el("span");
+    const great = el("div", "great"), apart = el("div", "small"), angle = new Shown("attitude-angle");
     const turned = new Shown("attitude-error"), away = new Shown("place-error"), energy = new Shown("energy"), momentum = new Shown("momentum"), count = new Shown("step-count");
     figure.overlay.append(
       el("div", "keys", { "aria-hidden": "true" },
@@ -147,7 +147,7 @@ export const dynamics: Section = {
       trails.way.through(flies ? flight.way(parts, flight.exact).map((value) => 1e3 * value) : []);
       trails.wayLoop.through(flies ? flight.way(parts, flight.stepped).map((value) => 1e3 * value) : []);
       great.replaceChildren(turns ? turned.element : away.element);
-      apart.replaceChildren(...(turns ? [angle] : ["apart"]), ...(turns && flies ? [", centres ", away.element] : []));
+      apart.replaceChildren(...(turns ? [angle.element] : ["apart"]), ...(turns && flies ? [", centres ", away.element] : []));
       for (const one of vectors) one.hidden = !turns;
       for (const one of [c.about, c.across]) one.element.hidden = !turns;
       c.up.element.hidden = !flies;
@@ -228,7 +228,7 @@ export const dynamics: Section = {
 
       const turn = row[C.ATTITUDE_ERROR]!, far = row[C.POSITION_ERROR]!, changed_ = flight.kept(row);
       turned.set(turn, `${small(turn)} rad`);
-      angle.textContent = `apart · ${fixed((turn * 180) / Math.PI, 0)}°`;
+      angle.set(turn, `apart · ${fixed((turn * 180) / Math.PI, 0)}°`);
       away.set(far, `${small(1e3 * far)} mm`);
       energy.set(changed_.energy, `energy ${percent(changed_.energy)}`);
       momentum.set(changed_.momentum, turns ? `L off by ${percent(changed_.momentum).replace("+", "")}` : "");

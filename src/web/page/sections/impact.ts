@@ -48,7 +48,6 @@ export const impact: Section = {
       show_();
       remember(place, controls);
     });
-    way.element.classList.add("starts");
     const words = el("p", "remark says", { "aria-live": "polite" }), refused = el("p", "rule", { role: "alert" });
     wide.append(words);
     const figure = stage.figure(wide, {
@@ -71,7 +70,7 @@ export const impact: Section = {
       el("div", "caption right", { "aria-hidden": "true" }, el("div", "great", {}, rebound.element), ...[slips, kept].map((shown) => el("div", "small", {}, shown.element))));
     const transport = new Transport(wide, section, stage, { speeds: [5, 25, 100], speed: 25, decimals: 4, show });
 
-    const below = el("div", "plots two");
+    const below = el("div", "plots beside");
     wide.append(below);
     const space = new ImpulseSpace(below);
     const table = answerTable(below);

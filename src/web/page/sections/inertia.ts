@@ -60,7 +60,7 @@ export const inertia: Section = {
         ...([["momentum", "L, angular momentum"], ["omega", "ω, angular velocity"]] as const).map(([token, label]) =>
           el("span", "key", {}, el("i", "", { style: `background: var(--${token})` }), label))));
 
-    const transport = new Transport(wide, section, stage, { speeds: [1, 2, 10], speed: 2, step: 1 / 60, show });
+    const transport = new Transport(wide, section, stage, { speeds: [1, 2, 10], speed: 2, step: () => 1 / 60, show });
     const plots = el("div", "plots beside");
     wide.append(plots);
     const apart = new Plot(plots, { title: "Between the two stones", unit: "degrees", lines: [{ label: "apart", token: "published" }],

@@ -99,9 +99,9 @@ export const shape: Section = {
       });
     const choices = el("div", "choices");
     right.append(choices);
-    const of = new ChoiceControl(choices, { key: "of", label: "the width is that of", value: "lens",
-      choices: [{ value: "lens", label: "the sharp lens, as published" }, { value: "stone", label: "the finished stone, as measured" }] }, changed);
-    const talk = new SwitchControl(right, { key: "talk", label: "the bevel of the published talk, which is wrong", value: false, token: "published" }, changed);
+    const of = new ChoiceControl(choices, { key: "of", label: "the width is measured on", value: "lens",
+      choices: [{ value: "lens", label: "the sharp lens, as the talk does" }, { value: "stone", label: "the finished stone, as a gauge does" }] }, changed);
+    const talk = new SwitchControl(right, { key: "talk", label: "the bevel that the talk published, which is wrong", value: false, token: "published" }, changed);
     const open = new ChoiceControl(left, { key: "view", label: "show it", value: "open",
       choices: [{ value: "open", label: "cut open" }, { value: "whole", label: "whole" }] }, changed);
     const controls: Control[] = [width, height, bevel, shell, of, talk, open];

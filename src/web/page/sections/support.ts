@@ -36,7 +36,6 @@ export const support: Section = {
     const what = new ChoiceControl(wide, { key: "show", label: "what is shown", value: "extent", quiet: true, choices: [
       { value: "extent", label: "how far it reaches" }, { value: "board", label: "at the board" },
       { value: "pair", label: "stone against stone" }, { value: "flight", label: "when it touches" } ] }, changed);
-    what.element.classList.add("starts");
     const says = el("p", "remark says", { "aria-live": "polite" }), refused = el("p", "rule", { role: "alert" });
     wide.append(says);
     const figure = stage.figure(wide, {

@@ -76,7 +76,7 @@ export class ShadowShape extends Mesh<PlaneGeometry, ShaderMaterial> {
     const uniforms = this.material.uniforms;
     const { x, y } = stone.position, far = [x - lx * height, y - ly * height] as const;
     const thrown = shape(lx, ly, Math.min(0.9, 0.12 + above / 90)), contact = shape(0, 0, 0.9);
-    const dark = Math.exp(-above / 7);
+    const faint = 0.12, dark = Math.max(0, Math.exp(-above / 7) - faint) / (1 - faint); // none from 15 mm on
     uniforms["centre"]!.value.set(...far);
     uniforms["below"]!.value.set(x, y);
     uniforms["thrown"]!.value.set(...thrown.s);
@@ -85,7 +85,7 @@ export class ShadowShape extends Mesh<PlaneGeometry, ShaderMaterial> {
     uniforms["dark"]!.value = dark;
     const ends = [0, 1].map((k) => { // of a box around both; the second only where it is seen
       const low = far[k]! - thrown.box[k]!, high = far[k]! + thrown.box[k]!, here = k === 0 ? x : y;
-      return dark < 0.02 ? [low, high] : [Math.min(low, here - contact.box[k]!), Math.max(high, here + contact.box[k]!)];
+      return dark === 0 ? [low, high] : [Math.min(low, here - contact.box[k]!), Math.max(high, here + contact.box[k]!)];
     }) as [[number, number], [number, number]];
     this.position.set((ends[0][0] + ends[0][1]) / 2, (ends[1][0] + ends[1][1]) / 2, this.#ground + 0.05);
     this.scale.set(ends[0][1] - ends[0][0], ends[1][1] - ends[1][0], 1);

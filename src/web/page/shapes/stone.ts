@@ -4,7 +4,7 @@ import { C, type Goishi, type Numbers } from "../core";
 import { rgb, type Token } from "../look";
 import { lightGlsl, lightUniforms } from "./light";
 
-const around = 56, along = 8; // facets about the axis, and along each part of the profile
+const around = 40, along = 5; // facets about the axis, and along each part of the profile
 
 /** The surface of a stone   [mm], or as much of it as a turn by `sweep` about the axis makes. */
 export function stoneGeometry(goishi: Goishi, stone: Numbers, sweep = 2 * Math.PI): BufferGeometry {
@@ -31,10 +31,13 @@ export function stoneGeometry(goishi: Goishi, stone: Numbers, sweep = 2 * Math.P
   return geometry;
 }
 
+// Growth lines are layers of the shell, so they go through the rim. Their phases are found at the corners.
 const vertexShader = /* glsl */ `
-varying vec3 vB, vN, vW;
+varying vec3 vN, vW;
+varying vec2 phases;
 void main() {
-  vB = position;
+  float bend = position.y + 0.3 * position.z + 0.014 * position.x * position.x + 0.35 * sin(position.x * 0.31 + 1.0);
+  phases = vec2(bend * 2.1 + 0.8 * sin(bend * 0.53), bend * 6.3 + 1.7 * sin(bend * 0.9));
   vec4 w = modelMatrix * vec4(position, 1.0);
   vW = w.xyz;
   vN = mat3(modelMatrix) * normal;
@@ -42,33 +45,32 @@ void main() {
 }`;
 
 const growth = /* glsl */ `
-float growth(vec3 p) {
-  float bend = p.y + 0.014 * p.x * p.x + 0.35 * sin(p.x * 0.31 + 1.0) + 0.12 * sin(p.x * 0.9) + (p.z < 0.0 ? 0.6 : 0.0);
-  float wide = 0.5 + 0.5 * sin(bend * 2.1 + 0.8 * sin(bend * 0.53));
-  float fine = 0.5 + 0.5 * sin(bend * 6.3 + 1.7 * sin(bend * 0.9));
+varying vec2 phases;
+float growth() {
+  float wide = 0.5 + 0.5 * sin(phases.x), fine = 0.5 + 0.5 * sin(phases.y);
   return 0.65 * wide * wide + 0.35 * fine;
 }
 `;
 
 const surface = /* glsl */ `
-varying vec3 vB, vN, vW;
+varying vec3 vN, vW;
 uniform vec3 base;
 uniform float gloss, lines;
 ${lightGlsl}${growth}
 void main() {
   vec3 n = normalize(vN), v = normalize(cameraPosition - vW);
-  vec3 c = base * (1.0 - lines * growth(vB) * vec3(0.86, 0.95, 1.1));
+  vec3 c = base * (1.0 - lines * growth() * vec3(0.86, 0.95, 1.1));
   gl_FragColor = vec4(lit(c, n, v, gloss), 1.0);
 }`;
 
 const spirit = /* glsl */ `
-varying vec3 vB, vN, vW;
+varying vec3 vN, vW;
 uniform vec3 base;
 ${growth}
 void main() {
   vec3 n = normalize(vN), v = normalize(cameraPosition - vW);
-  float edge = pow(1.0 - abs(dot(n, v)), 1.6);
-  float stripe = smoothstep(0.44, 0.56, growth(vB));
+  float side = 1.0 - abs(dot(n, v)), edge = side * sqrt(side);
+  float stripe = smoothstep(0.44, 0.56, growth());
   gl_FragColor = vec4(base, (0.16 + 0.72 * edge) * (0.78 + 0.22 * stripe) + 0.07 * stripe);
 }`;
 
