@@ -171,11 +171,13 @@ template <Field T>
   return T(x * x);
 }
 
-/// |x|, without a branch where T is built in: a sign is as good as random.
+/// |x|, without a branch where T is built in: a sign is as good as random. By T's own `abs` where it has one: of a ball about 0
+/// there is no sign to choose by.
 template <Ordered T>
 [[nodiscard]] constexpr T abs(const T& x) {
-  if constexpr (std::floating_point<T>) {
-    return std::abs(x);
+  using std::abs;
+  if constexpr (requires { T(abs(x)); }) {
+    return T(abs(x));
   } else {
     return x < T(0) ? T(-x) : x;
   }
