@@ -42,7 +42,7 @@ TEST_F(CliDrop, TextIsALineForEachEvent) {
             "1.126402  end                                4.60     0.000       0.5523         0.000       1024.0\n"
             "\n"
             "Still moving after 1.1264 s.\n"
-            "Computed: 3 impacts, 8 root steps, 5 separations.\n");
+            "Computed: 3 impacts, 10 root steps, 5 separations.\n");
   Words format = words;
   format.insert(format.end(), {"--format", "text"});
   EXPECT_EQ(printed(with(format)), printed(with(words)));

@@ -56,7 +56,7 @@ void bevel_by_hand(double h, double b, double d, double* out) {
   const double px = std::sqrt((h - b) / 2 * (2 * d + (h + b) / 2));
   const double share = d / y;
   out[0] = px * share;
-  out[1] = r * (b / 2) / y;
+  out[1] = r / y * (b / 2);
   out[2] = r * share;
   out[3] = px;
   out[4] = px / r;
