@@ -114,12 +114,12 @@ template <class T>
 template <class T, class... Parts>
 [[noreturn]] void throw_invalid(const char* argument, const T& value, const Parts&... rule) {
   constexpr int usual_precision = 6;
-  const InvalidArgument error(argument, to_text(value), (std::string() + ... + detail::written(rule, usual_precision)));
+  const std::string text = to_text(value), broken = (std::string() + ... + detail::written(rule, usual_precision));
 #ifdef GOISHI_NO_EXCEPTIONS
-  std::fputs((std::string(error.what()) + "\n").c_str(), stderr);
+  std::fputs((std::string(InvalidArgument(argument, text, broken).what()) + "\n").c_str(), stderr);
   std::abort();
 #else
-  throw error;
+  throw InvalidArgument(argument, text, broken);
 #endif
 }
 

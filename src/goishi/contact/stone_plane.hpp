@@ -95,7 +95,7 @@ template <Ordered T>
 [[nodiscard]] Separation<T> separation(const Stone<T>& stone, const Pose<T>& pose, const Plane<T>& plane) {
   const bool sound = detail::is_placed(stone, pose) & detail::is_unit(plane.n_W);
   const Vec3<T> u_W = formula::unit_axis(pose.q_WB);
-  const Separation<T> result = detail::separation_along<T>({stone, pose.p_WB, u_W}, plane.n_W, plane.offset);
+  Separation<T> result = detail::separation_along<T>({stone, pose.p_WB, u_W}, plane.n_W, plane.offset);
   if (!(sound & scalar::is_finite(result.gap))) [[unlikely]] {
     detail::refuse(stone, pose, plane);
   }

@@ -68,7 +68,7 @@ template <Field T>
 template <Ordered T>
 [[nodiscard]] Mat3<T> inertia_tensor(const MassProperties<T>& body, const Quat<T>& q_WB, const Vec3<T>& p_WB) {
   const Mat3<T> about_centre = formula::rotated_tensor(formula::principal_tensor(body.moments), rotation_matrix(q_WB));
-  const Mat3<T> result = formula::shifted_tensor(about_centre, body.mass, p_WB);
+  Mat3<T> result = formula::shifted_tensor(about_centre, body.mass, p_WB);
   const T most = std::numeric_limits<T>::max() / T(4);
   // No entry of the tensor of a body exceeds its trace.
   require(formula::dot(p_WB, p_WB) < most && result.trace() < most, "position", p_WB.transpose(),

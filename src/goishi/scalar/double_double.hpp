@@ -148,6 +148,7 @@ class std::numeric_limits<goishi::DoubleDouble> {
   static constexpr T lowest() { return numeric_limits<double>::lowest(); }
   static constexpr T epsilon() { return 0x1p-103; }
   static constexpr T infinity() { return numeric_limits<double>::infinity(); }
+  // NOLINTNEXTLINE(readability-identifier-naming): the standard's name
   static constexpr T quiet_NaN() { return numeric_limits<double>::quiet_NaN(); }
 };
 
