@@ -110,7 +110,7 @@ template <Ordered T>
                                                const std::type_identity_t<T>& level = std::type_identity_t<T>(0)) {
   const bool sound = detail::is_placed(stone, pose);
   const Vec3<T> u_W = formula::unit_axis(pose.q_WB);
-  const Separation<T> result = detail::separation_above<T>({stone, pose.p_WB, u_W}, level);
+  Separation<T> result = detail::separation_above<T>({stone, pose.p_WB, u_W}, level);
   if (!(sound & scalar::is_finite(result.gap))) [[unlikely]] {
     detail::refuse(stone, pose, Plane<T>{.offset = level});
   }

@@ -222,7 +222,7 @@ class Flight {
   /// Domain, error  as `free_flight`.   Cost  a pair of sines and cosines.
   [[nodiscard]] State<T> at(const T& t) const {
     const Quat<T> q = formula::turned_top(start_.q_WB, k_W_, T(t * alpha_), T(t * beta_));
-    const State<T> result = formula::falling(start_, q, gravity_, t);
+    State<T> result = formula::falling(start_, q, gravity_, t);
     if (!detail::is_counted(result, gravity_, t)) [[unlikely]] {
       detail::check_flight(start_, gravity_, t, result);
     }
