@@ -1,12 +1,13 @@
 /** 7 The drop. */
 import { Plane, Scene, Vector3, type Raycaster } from "three";
 import { ChoiceControl, fold, NumberControl, panel, Presets, SwitchControl, type Control } from "../controls";
-import { C, Refused, vec, type Numbers } from "../core";
+import { C, vec, type Numbers } from "../core";
 import { el } from "../dom";
 import { evidence } from "../evidence";
 import { movesByItself, onTheme } from "../look";
 import { fixed, Shown } from "../numbers";
 import { Plot } from "../plot";
+import { Refusal } from "../refusal";
 import { linkButton, remember, type Section } from "../section";
 import { ArrowShape } from "../shapes/arrow";
 import { BoardShape } from "../shapes/board";
@@ -125,11 +126,11 @@ export const drop: Section = {
     const controls: Control[] = [...Object.values(c), law, shell, compare, integral];
 
     // --- words below
-    const about = el("p", "remark"), refused = el("p", "rule", { role: "alert" });
+    const about = el("p", "remark");
     const impacts = new Shown("impacts"), events = new Shown("events"), ended = new Shown("end"), evaluations = new Shown("evaluations");
     const took = el("span"), how = el("span");
     about.append("Computed in ", took, ": ", impacts.element, ", ", events.element, ", ", evaluations.element, "; ", how, " ", ended.element, ".");
-    wide.append(refused);
+    const refused = new Refusal(wide);
     text.append(about);
     let table: { fill(): void } | null = null;
     fold(text, "Every event", (body) => {
@@ -185,16 +186,12 @@ export const drop: Section = {
 
     /** Computes; what the library refuses keeps the last good picture. */
     function compute(): boolean {
-      try {
+      const taken = refused.takes(() => {
         const next = new Run(goishi, board, values());
         run?.free();
         run = next;
-        refused.textContent = "";
-      } catch (error) {
-        if (!(error instanceof Refused)) throw error;
-        refused.textContent = error.message;
-        return false;
-      }
+      });
+      if (!taken || !run) return false;
       if (run.stone.some((value, i) => value !== stone[i])) {
         stone = run.stone;
         shape.reshape(goishi, stone);

@@ -1,12 +1,13 @@
 /** 4 Dynamics. */
 import { Plane, Quaternion, Vector3, type Raycaster } from "three";
 import { ChoiceControl, NumberControl, panel, type Control } from "../controls";
-import { C, Refused, rowsOf, vec, type Numbers, type Vec } from "../core";
+import { C, rowsOf, vec, type Numbers, type Vec } from "../core";
 import { el, html } from "../dom";
 import { evidence } from "../evidence";
 import { movesByItself, onTheme, type Token } from "../look";
 import { digits, fixed, Shown } from "../numbers";
 import { Plot } from "../plot";
+import { Refusal } from "../refusal";
 import { linkButton, remember, type Section } from "../section";
 import { ArrowShape } from "../shapes/arrow";
 import { ShadowShape } from "../shapes/shadow";
@@ -101,8 +102,8 @@ export const dynamics: Section = {
     const controls: Control[] = [loop, moves, seen, ...Object.values(c)];
 
     // --- words below
-    const remark = el("p", "remark", { "aria-live": "polite" }), refused = el("p", "rule", { role: "alert" });
-    wide.append(refused);
+    const remark = el("p", "remark", { "aria-live": "polite" });
+    const refused = new Refusal(wide);
     text.append(remark);
     evidence(text, "Why the ghost is right",
       `A stone is a symmetric top, and a symmetric top in free flight needs no time step: it turns about its angular momentum at the
@@ -127,14 +128,8 @@ export const dynamics: Section = {
 
     /** Computes; what the library refuses keeps the last good picture. */
     function compute(): boolean {
-      try {
-        flight = new Flight(goishi, stone, values());
-        refused.textContent = "";
-      } catch (error) {
-        if (!(error instanceof Refused)) throw error;
-        refused.textContent = error.message;
-        return false;
-      }
+      const taken = refused.takes(() => (flight = new Flight(goishi, stone, values())));
+      if (!taken || !flight) return false;
       graph(flight);
       const { turns, flies } = flight;
       if (!held) scale = { omega: long.omega / (length(flight, C.ANGULAR_VELOCITY) || 8), momentum: long.momentum / (length(flight, C.MOMENTUM) || 1) };

@@ -1,11 +1,12 @@
 /** 6 Collision response. */
 import { Scene, type Raycaster } from "three";
 import { ChoiceControl, NumberControl, panel, type Control } from "../controls";
-import { C, Refused } from "../core";
+import { C } from "../core";
 import { el } from "../dom";
 import { evidence } from "../evidence";
 import { movesByItself, onTheme } from "../look";
 import { fixed, Shown } from "../numbers";
+import { Refusal } from "../refusal";
 import { linkButton, remember, type Section } from "../section";
 import { ArrowShape } from "../shapes/arrow";
 import { BoardShape } from "../shapes/board";
@@ -48,7 +49,7 @@ export const impact: Section = {
       show_();
       remember(place, controls);
     });
-    const words = el("p", "remark says", { "aria-live": "polite" }), refused = el("p", "rule", { role: "alert" });
+    const words = el("p", "remark says", { "aria-live": "polite" });
     wide.append(words);
     const figure = stage.figure(wide, {
       label: "A Go stone that meets the board.", still, view: { target: [0, 0, 12], azimuth: -1.2, elevation: 0.2, distance: 104 },
@@ -89,7 +90,7 @@ export const impact: Section = {
       bevel: number(right, "bevel", "bevel", "mm", 0, 4, 0.1, 1),
     };
     const controls: Control[] = [way, ...Object.values(c)];
-    wide.append(refused);
+    const refused = new Refusal(wide);
 
     evidence(text, "Why it is right",
       `The response of a point to an impulse is linear: v⁺ = v + W p, with W from mass, moments and the place of the point. Each
@@ -108,18 +109,12 @@ export const impact: Section = {
     let met: Met | null = null, started = false;
 
     function compute(): boolean {
-      try {
+      return refused.takes(() => {
         const next = meet(goishi, { bevel: c.bevel.value, tilt: c.tilt.value, down: c.down.value, along: c.along.value, tumble: c.tumble.value,
           spin: c.spin.value, restitution: c.restitution.value, friction: c.friction.value });
         if (met === null || next.stone.some((value, i) => value !== met!.stone[i])) for (const one of [shape, ...ghosts.values()]) one.reshape(goishi, next.stone);
         met = next;
-        refused.textContent = "";
-        return true;
-      } catch (error) {
-        if (!(error instanceof Refused)) throw error;
-        refused.textContent = error.message;
-        return false;
-      }
+      });
     }
 
     /** What does not depend on the moment. */

@@ -1,19 +1,20 @@
 /** 3 Inertia. */
-import { Vector3 } from "three";
 import { ChoiceControl, NumberControl, panel, type Control } from "../controls";
-import { C, Refused, vec, type Numbers, type Vec } from "../core";
+import { C, vec, type Numbers, type Vec } from "../core";
 import { el } from "../dom";
 import { evidence } from "../evidence";
 import { movesByItself, onTheme } from "../look";
 import { digits, fixed, Shown } from "../numbers";
 import { Plot } from "../plot";
 import { Readout } from "../readout";
+import { Refusal } from "../refusal";
 import { linkButton, remember, type Section } from "../section";
 import { ArrowShape } from "../shapes/arrow";
 import { ShadowShape } from "../shapes/shadow";
 import { StoneShape } from "../shapes/stone";
 import { TrailShape } from "../shapes/trail";
 import { Transport } from "../transport";
+import { axisOf, scaled } from "../vector";
 import { Matrix, squareCm } from "./inertia/matrix";
 
 const sizes = ["22", "25", "28", "30", "31", "32", "33", "34", "35", "36", "37", "38", "39", "40"] as const;
@@ -83,8 +84,7 @@ export const inertia: Section = {
       { name: "closed-form", symbol: "", label: "the talk’s closed form, over V′" },
       { name: "apart", symbol: "", label: "between the stones, now" },
     ]);
-    const refused = el("p", "rule", { role: "alert" });
-    wide.append(refused);
+    const refused = new Refusal(wide);
 
     // --- controls
     const [push, body] = panel(wide, "The push", "The stone") as [HTMLElement, HTMLElement];
@@ -157,7 +157,7 @@ export const inertia: Section = {
         shadow.of(measures);
         trail.through(rotations[side]!.flatMap((rotation) => {
           const u = axisOf(rotation);
-          return [x + reach * u.x, reach * u.y, reach * u.z];
+          return [x + reach * u[0], reach * u[1], reach * u[2]];
         }));
       });
       apart.set(times, [paths.attitude.map(([angle]) => (angle! * 180) / Math.PI)], 0, end);
@@ -194,15 +194,11 @@ export const inertia: Section = {
     }
 
     function again(): void {
-      try {
+      const taken = refused.takes(() => {
         compute();
         tell();
-        refused.textContent = "";
-      } catch (error) {
-        if (!(error instanceof Refused)) throw error;
-        refused.textContent = error.message;
-        return;
-      }
+      });
+      if (!taken) return;
       transport.set(end);
       if (!transport.playing) show(transport.time, true);
     }
@@ -225,8 +221,8 @@ export const inertia: Section = {
         shadow.follow(shape);
         trail.show(Math.ceil((time / end) * samples));
         const from: Vec = [x, 0, 0], most = Math.hypot(...tops[0]!.momentum) || 1, quick = Math.hypot(...vec(turned(tops[0]!, 0), 4)) || 1;
-        L.point(from, scaled(top.momentum, 21 / most));
-        w.point(from, scaled(vec(rotation, 4), 15 / quick));
+        L.point(from, scaled(21 / most, top.momentum));
+        w.point(from, scaled(15 / quick, vec(rotation, 4)));
         const count = rateOf(top) * time;
         turns[side]!.set(count, `${fixed(count, 2)} turns`);
       });
@@ -263,14 +259,6 @@ export const inertia: Section = {
     };
   },
 };
-
-const scaled = (v: Vec, factor: number): Vec => [factor * v[0], factor * v[1], factor * v[2]];
-
-/** The symmetry axis, q Bz. */
-function axisOf(q: Numbers): Vector3 {
-  const [w, x, y, z] = [q[0]!, q[1]!, q[2]!, q[3]!];
-  return new Vector3(2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y));
-}
 
 /** The angle between two attitudes   [rad]. */
 function angleBetween(a: Numbers, b: Numbers): number {

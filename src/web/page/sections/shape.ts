@@ -1,12 +1,13 @@
 /** 1 The shape. */
 import { ChoiceControl, iconButton, NumberControl, panel, Presets, SwitchControl, type Control } from "../controls";
-import { C, Refused, rowsOf, type Numbers } from "../core";
+import { C, rowsOf, type Numbers } from "../core";
 import { el } from "../dom";
 import { evidence } from "../evidence";
 import { movesByItself, onTheme } from "../look";
 import { digits, fixed, Shown } from "../numbers";
 import { Plot } from "../plot";
 import { Readout } from "../readout";
+import { Refusal } from "../refusal";
 import { remember, type Section } from "../section";
 import type { Shell } from "../shapes/stone";
 import { Construction, type Progress } from "./shape/construction";
@@ -54,8 +55,7 @@ export const shape: Section = {
     const construction = new Construction(goishi, figure, goishi.catalogueStone(33, C.WHITE, 1e-3));
 
     // --- numbers
-    const refused = el("p", "rule", { role: "alert" });
-    wide.append(refused);
+    const refused = new Refusal(wide);
     const numbers = new Readout(wide, [
       { name: "sphere-radius", symbol: "r", label: "radius of the circles" },
       { name: "sphere-offset", symbol: "d", label: "from their centres to the middle" },
@@ -147,7 +147,7 @@ export const shape: Section = {
     function compute(): boolean {
       const next = Float64Array.from([width.value / 1e3, height.value / 1e3, bevel.value / 1e3, of.value === "stone" ? 1 : 0,
         catalogue[shell.value][0]!.density, 0]);
-      try {
+      return refused.takes(() => {
         const profile = goishi.profile(next, 48);
         measures = goishi.measures(next);
         published = goishi.publishedMeasures(next);
@@ -155,13 +155,7 @@ export const shape: Section = {
         magnifier.show(measures, profile, goishi.profile(lens, 48));
         rows = rowsOf(profile, C.PROFILE_SIZE);
         stone = next;
-        refused.textContent = "";
-        return true;
-      } catch (error) {
-        if (!(error instanceof Refused)) throw error;
-        refused.textContent = error.message;
-        return false;
-      }
+      });
     }
 
     function renew(): boolean {

@@ -1,10 +1,11 @@
 /** 5 Support and separating axis. */
 import { Scene } from "three";
 import { ChoiceControl, NumberControl, panel, type Control } from "../controls";
-import { C, Refused, vec } from "../core";
+import { C, vec } from "../core";
 import { el } from "../dom";
 import { evidence } from "../evidence";
 import { movesByItself, onTheme } from "../look";
+import { Refusal } from "../refusal";
 import { linkButton, remember, type Section } from "../section";
 import { ArrowShape } from "../shapes/arrow";
 import { BoardShape } from "../shapes/board";
@@ -36,7 +37,7 @@ export const support: Section = {
     const what = new ChoiceControl(wide, { key: "show", label: "what is shown", value: "extent", quiet: true, choices: [
       { value: "extent", label: "how far it reaches" }, { value: "board", label: "at the board" },
       { value: "pair", label: "stone against stone" }, { value: "flight", label: "when it touches" } ] }, changed);
-    const says = el("p", "remark says", { "aria-live": "polite" }), refused = el("p", "rule", { role: "alert" });
+    const says = el("p", "remark says", { "aria-live": "polite" });
     wide.append(says);
     const figure = stage.figure(wide, {
       label: "A Go stone and how far it reaches.", still, view: { target: [0, 0, 0], azimuth: -1.3, elevation: 0.16, distance: 90 },
@@ -67,7 +68,7 @@ export const support: Section = {
     wide.append(common.parentElement!);
     const picture = () => pictures[what.value]!;
     const controls: Control[] = [what, tilt, heading, bevel, ...Object.values(pictures).flatMap((one) => one.controls)];
-    wide.append(refused);
+    const refused = new Refusal(wide);
 
     evidence(text, "Why it is right",
       `Support is a formula of two pieces, cap and rim, that join smoothly. The separation of two convex bodies is the greatest, over all
@@ -105,7 +106,7 @@ export const support: Section = {
 
     /** What the library refuses keeps the last good picture. */
     function compute(): boolean {
-      try {
+      return refused.takes(() => {
         const next = white();
         if (next.some((value, i) => value !== stone[i])) {
           stone = next;
@@ -113,13 +114,7 @@ export const support: Section = {
         }
         shadow.of(goishi.measures(stone));
         picture().update();
-        refused.textContent = "";
-        return true;
-      } catch (error) {
-        if (!(error instanceof Refused)) throw error;
-        refused.textContent = error.message;
-        return false;
-      }
+      });
     }
 
     function changed(): void {

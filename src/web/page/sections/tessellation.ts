@@ -1,12 +1,13 @@
 /** 2 Tessellation. */
 import { ChoiceControl, iconButton, NumberControl, panel, type Control } from "../controls";
-import { C, Refused, type Numbers } from "../core";
+import { C, type Numbers } from "../core";
 import { el } from "../dom";
 import { evidence } from "../evidence";
 import { movesByItself, onTheme } from "../look";
 import { digits, fixed, Shown } from "../numbers";
 import { Plot } from "../plot";
 import { Readout } from "../readout";
+import { Refusal } from "../refusal";
 import { remember, type Section } from "../section";
 import { MeshShape, type Look } from "../shapes/mesh";
 
@@ -40,8 +41,7 @@ export const tessellation: Section = {
       el("div", "caption right", { "aria-hidden": "true" }, el("div", "great", {}, off.element), el("div", "small", {}, "from the stone, at most")), again);
     again.hidden = !movesByItself();
     iconButton(again, "restart", "refine it again", () => refine());
-    const refused = el("p", "rule", { role: "alert" });
-    wide.append(refused);
+    const refused = new Refusal(wide);
     const numbers = new Readout(wide, [
       { name: "unwelded", symbol: "", label: "vertices, three for each triangle" },
       { name: "welded", symbol: "", label: "welded where place and normal agree" },
@@ -105,18 +105,14 @@ export const tessellation: Section = {
     }
 
     function renew(at = level.value): void {
-      try {
+      refused.takes(() => {
         const next = goishi.catalogueStone(33, C.WHITE, bevel.value / 1e3);
         if (!stone || next.some((value, i) => value !== stone![i])) {
           stone = next;
           cuts = new Map();
         }
         show(at);
-        refused.textContent = "";
-      } catch (error) {
-        if (!(error instanceof Refused)) throw error;
-        refused.textContent = error.message;
-      }
+      });
     }
 
     function show(at: number): void {

@@ -1,5 +1,6 @@
 /** One drop: from what the controls say to everything that is shown of it. */
 import { C, vec, type Drop, type Goishi, type Numbers, type Vec } from "../../core";
+import { axisOf, cross, plus } from "../../vector";
 
 /** In the units of the controls. */
 export interface Start {
@@ -147,7 +148,7 @@ export class Run {
       series.time.push(time);
       series.energy.push(motion[C.ENERGY]! - this.lying);
       series.tilt.push(tiltOf(motion));
-      axes.push(axisOf(motion));
+      axes.push(axisOf(motion, C.ATTITUDE));
       series.jellett.push(inContact && part !== C.RIM ? r.reduce((sum, x, k) => sum + x * motion[C.MOMENTUM + k]!, 0) : NaN);
       if (series.track.length > 0) series.ended.push(time);
       this.#low(series, axes);
@@ -198,15 +199,8 @@ export function tiltOf(motion: Numbers): number {
   return (2 * Math.atan2(Math.hypot(x, y), Math.hypot(w, z)) * 180) / Math.PI;
 }
 
-/** The direction of the axis, in W. */
-function axisOf(motion: Numbers): Vec {
-  const [w, x, y, z] = [0, 1, 2, 3].map((k) => motion[C.ATTITUDE + k]!) as [number, number, number, number];
-  return [2 * (x * z + w * y), 2 * (y * z - w * x), w * w + z * z - x * x - y * y];
-}
-
 /** The speed at which the point of the stone moves that is `point` now   [m/s]. */
 export function speedAt(motion: Numbers, point: Vec): number {
   const r = point.map((x, k) => x - motion[C.POSITION + k]!) as unknown as Vec;
-  const w = vec(motion, C.ANGULAR_VELOCITY), v = vec(motion, C.VELOCITY);
-  return Math.hypot(v[0] + w[1] * r[2] - w[2] * r[1], v[1] + w[2] * r[0] - w[0] * r[2], v[2] + w[0] * r[1] - w[1] * r[0]);
+  return Math.hypot(...plus(vec(motion, C.VELOCITY), 1, cross(vec(motion, C.ANGULAR_VELOCITY), r)));
 }
