@@ -132,6 +132,16 @@ void require(bool holds, const char* argument, const T& value, const Parts&... r
   }
 }
 
+namespace detail {
+
+/// Whether all hold, asked together and without a branch. (Of two bools, clang takes & for a slip.)
+template <std::same_as<bool>... Holds>
+[[nodiscard]] constexpr bool all(Holds... holds) {
+  return (static_cast<unsigned>(holds) & ...) != 0U;
+}
+
+}  // namespace detail
+
 template <Ordered T>
 void require_positive(const char* argument, const T& value) {
   require(T(0) < value && scalar::is_finite(value), argument, value, "must be positive and finite");

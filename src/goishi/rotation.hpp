@@ -6,26 +6,6 @@
 #include <goishi/error.hpp>
 #include <goishi/scalar.hpp>
 
-/// What Eigen must know of a number of two doubles.
-template <>
-struct Eigen::NumTraits<goishi::DoubleDouble> : Eigen::GenericNumTraits<goishi::DoubleDouble> {
-  using Real = goishi::DoubleDouble;
-  using NonInteger = Real;
-  using Nested = Real;
-  using Literal = Real;
-  // NOLINTBEGIN(readability-identifier-naming): Eigen's names
-  enum {
-    IsInteger = 0,
-    IsSigned = 1,
-    IsComplex = 0,
-    RequireInitialization = 1,
-    ReadCost = 2,
-    AddCost = 20,
-    MulCost = 25
-  };
-  // NOLINTEND(readability-identifier-naming)
-};
-
 namespace goishi {
 
 template <class T>

@@ -203,8 +203,8 @@ template <Ordered T>
   detail::require_board(board);
   require(scalar::is_finite(T(p_W.x() + p_W.y() + p_W.z())), "position", p_W.transpose(), "must be finite");
   require(T(0) <= reach && scalar::is_finite(reach), "reach", reach, "must be finite and at least 0");
-  const T x = p_W.x() < T(0) ? T(-p_W.x()) : p_W.x();
-  const T y = p_W.y() < T(0) ? T(-p_W.y()) : p_W.y();
+  const T x = scalar::abs(T(p_W.x()));
+  const T y = scalar::abs(T(p_W.y()));
   if (board.half_width + reach < x || board.half_length + reach < y || reach < p_W.z()) {
     return Region::out_of_reach;
   }

@@ -60,8 +60,7 @@ template <Ordered T>
 [[nodiscard]] BoardRayHit<T> cast_ray(const Board<T>& board, const Vec3<T>& p_W, const Vec3<T>& u_W) {
   detail::require_board(board);
   require(scalar::is_finite(T(p_W.x() + p_W.y() + p_W.z())), "start", p_W.transpose(), "must be finite");
-  const T defect = formula::dot(u_W, u_W) - T(1);
-  require(defect < unit_tolerance<T>() && -unit_tolerance<T>() < defect, "direction", detail::length(u_W),
+  require(detail::is_unit_defect(T(formula::dot(u_W, u_W) - T(1))), "direction", detail::length(u_W),
           "must be a unit vector (its length is shown)");
   const Vec3<T> low(-board.half_width, -board.half_length, -board.thickness);
   const Vec3<T> high(board.half_width, board.half_length, T(0));

@@ -138,7 +138,7 @@ template <Ordered T>
   const ArcView<T> view = formula::arc_view(arc, a, b);
   const T& m = view.axial;
   const Direction<T> n{
-      .axial = m < T(0) ? T(-m) : m, .radial = scalar::sqrt(view.radial_square), .radial_square = view.radial_square};
+      .axial = scalar::abs(m), .radial = scalar::sqrt(view.radial_square), .radial_square = view.radial_square};
   return meets_cap(stone, n) ? formula::arc_on_cap(stone, view, a, b, n.axial,
                                                    m < T(0) ? T(-stone.sphere_offset) : T(stone.sphere_offset))
                              : formula::arc_on_rim(stone, view, a, b, arc.u_out, n.radial);
@@ -189,7 +189,7 @@ template <Ordered T>
 template <Ordered T>
 [[nodiscard]] bool leaves_nothing(const Stone<T>& stone, const ArcPoint<T>& at, const T& step2, const T& previous2) {
   const T epsilon = std::numeric_limits<T>::epsilon();
-  const T to_joint = (at.axial < T(0) ? T(-at.axial) : at.axial) - stone.joint_sine;
+  const T to_joint = scalar::abs(T(at.axial)) - stone.joint_sine;
   if (scalar::sq(to_joint) <= step2 && scalar::sq(T(epsilon * outer_width(stone))) < scalar::sq(at.slope)) {
     return false;
   }
@@ -216,7 +216,7 @@ template <Ordered T>
   ArcPoint<T> now = between(stone, arc, low, high, weight);
   T previous2(0);
   for (int i = 0; i < most_steps; ++i) {
-    const T size = now.slope < T(0) ? T(-now.slope) : now.slope;
+    const T size = scalar::abs(now.slope);
     if (!(T(0) < size)) {
       break;
     }
@@ -232,7 +232,7 @@ template <Ordered T>
       previous2 = scalar::sq(step);
       const T over = T(1) / scalar::sqrt(T(scalar::sq(a) + scalar::sq(b)));
       now = arc_point(stone, arc, T(a * over), T(b * over));
-      if (T(2) * (now.slope < T(0) ? T(-now.slope) : now.slope) <= size) {
+      if (T(2) * scalar::abs(now.slope) <= size) {
         continue;
       }
       (T(0) < now.slope ? low : high) = now;

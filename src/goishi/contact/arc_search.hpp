@@ -18,9 +18,9 @@ class ArcSearch {
   ArcSearch(const Stone<T>& stone, const Arc<T>& arc, const T& known) : stone_(stone), arc_(arc) {
     best_.value = known;
     // Above the round-off of a value and of a bound, below what is promised of the gap.
-    const auto size_of = [](const T& x) { return x < T(0) ? T(-x) : x; };
-    small_ = T(16) * std::numeric_limits<T>::epsilon() *
-             (T(2) * (stone.bevel_major_radius + stone.bevel_minor_radius) + size_of(arc.p_a) + size_of(arc.p_b));
+    small_ =
+        T(16) * std::numeric_limits<T>::epsilon() *
+        (T(2) * (stone.bevel_major_radius + stone.bevel_minor_radius) + scalar::abs(arc.p_a) + scalar::abs(arc.p_b));
     ArcPoint<T> from = at(T(1), T(0));
     const ArcPoint<T> last = at(T(0), T(1));
     accept(from);

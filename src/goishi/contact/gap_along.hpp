@@ -353,9 +353,9 @@ template <Ordered T>
 inline void require_path(const Stone<T>& stone, const FlightPath<T>& path) {
   const T& most = Squares<T>::most;
   const T& r = stone.sphere_radius;
-  const bool held = (size_of(path.p_W) < most) & (size_of(path.v_W) < most) & (size_of(path.a_W) < most) & (r < most) &
-                    (r * scalar::sq(path.rate) < most);
-  if (!((T(0) < stone.height) & held & is_unit(path.u_W) & is_unit(path.k_W))) [[unlikely]] {
+  const bool held = all(size_of(path.p_W) < most, size_of(path.v_W) < most, size_of(path.a_W) < most, r < most,
+                        r * scalar::sq(path.rate) < most);
+  if (!all(T(0) < stone.height, held, is_unit(path.u_W), is_unit(path.k_W))) [[unlikely]] {
     require_stone(stone);
     if (!held) {
       refuse_path(stone, path);

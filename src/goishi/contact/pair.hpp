@@ -147,8 +147,7 @@ template <Ordered T>
     // Eigenvalues mean ± spread; the projector on the first is (1 + (M − mean)/spread)/2.
     const T mean = (m11 + m22) / T(2), half_difference = (m11 - m22) / T(2);
     const T spread = scalar::sqrt(T(scalar::sq(half_difference) + scalar::sq(m12)));
-    const auto size_of = [](const T& x) { return x < T(0) ? T(-x) : x; };
-    const T high = size_of(T(mean + spread)), low = size_of(T(mean - spread));
+    const T high = scalar::abs(T(mean + spread)), low = scalar::abs(T(mean - spread));
     const T least = (high + low) / T(1000);
     const T over_high = T(1) / (high < least ? least : high), over_low = T(1) / (low < least ? least : low);
     const T c = T(0) < spread ? T(half_difference / spread) : T(1), o = T(0) < spread ? T(m12 / spread) : T(0);

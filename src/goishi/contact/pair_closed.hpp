@@ -56,14 +56,14 @@ template <Ordered T>
   return T(0) < seen.beyond ? seen.away : Vec3<T>(T(0), T(0), T(0));
 }
 
-// & and not && below: each condition is as good as random, and a branch for each would be guessed wrong.
+// `all` and not && below: each condition is as good as random, and a branch for each would be guessed wrong.
 
 /// Whether a stone meets a normal v/|v| with the cap that looks along `sign` u.
 template <Ordered T>
 [[nodiscard]] bool meets_with_cap(const Placed<T>& placed, const T& sign, const Vec3<T>& v, const T& size2) {
   const T axial = sign * formula::dot(placed.u_W, v);
   const bool above = T(0) <= axial, steep = scalar::sq(placed.stone.joint_sine) * size2 <= scalar::sq(axial);
-  return above & steep;
+  return all(above, steep);
 }
 
 template <Ordered T>
@@ -89,7 +89,7 @@ template <Ordered T>
   const T caps2 = formula::dot(caps, caps);
   const bool cap1 = meets_with_cap(pair.first, sign1, caps, caps2),
              cap2 = meets_with_cap(pair.second, sign2, caps, caps2);
-  if ((scalar::sq(T(R1 + R2)) < caps2) & cap1 & cap2) {
+  if (all(scalar::sq(T(R1 + R2)) < caps2, cap1, cap2)) {
     along = caps;
     return true;
   }
@@ -97,7 +97,7 @@ template <Ordered T>
   const T rim2_2 = formula::dot(rim2, rim2);
   const bool on_cap1 = meets_with_cap(pair.first, sign1, rim2, rim2_2),
              on_rim2 = meets_with_rim(pair.second, rim2, rim2_2);
-  if ((scalar::sq(R1) < rim2_2) & on_cap1 & on_rim2) {
+  if (all(scalar::sq(R1) < rim2_2, on_cap1, on_rim2)) {
     along = rim2;
     return true;
   }
@@ -105,7 +105,7 @@ template <Ordered T>
   const T rim1_2 = formula::dot(rim1, rim1);
   const bool on_cap2 = meets_with_cap(pair.second, sign2, rim1, rim1_2),
              on_rim1 = meets_with_rim(pair.first, rim1, rim1_2);
-  if ((scalar::sq(R2) < rim1_2) & on_cap2 & on_rim1) {
+  if (all(scalar::sq(R2) < rim1_2, on_cap2, on_rim1)) {
     along = rim1;
     return true;
   }

@@ -167,8 +167,8 @@ class RimSearch {
         }
         return;
       }
-      const T most_bend = change + (bends < T(0) ? T(-bends) : bends);  // twice
-      if (most_bend * length < T(2) * (slopes < T(0) ? T(-slopes) : slopes)) {
+      const T most_bend = change + scalar::abs(bends);  // twice
+      if (most_bend * length < T(2) * scalar::abs(slopes)) {
         return;  // the slope has one sign
       }
     }

@@ -23,7 +23,7 @@ namespace detail {
 /// How far the board reaches in a direction: the greatest n · x over it, for n_z >= 0.
 template <Ordered T>
 [[nodiscard]] T reach_of(const Board<T>& board, const Vec3<T>& n) {
-  return board.half_width * (n.x() < T(0) ? T(-n.x()) : n.x()) + board.half_length * (n.y() < T(0) ? T(-n.y()) : n.y());
+  return board.half_width * scalar::abs(T(n.x())) + board.half_length * scalar::abs(T(n.y()));
 }
 
 /// Whether a side has to be asked that is `distance` from the stone's centre (< 0: the centre is beyond it), where `gap`
@@ -46,7 +46,7 @@ struct SideDistances {
 
 template <Ordered T>
 [[nodiscard]] SideDistances<T> side_distances(const T& half, const T& p) {
-  const T size = p < T(0) ? T(-p) : p;
+  const T size = scalar::abs(p);
   return {.near = half - size, .far = half + size};
 }
 
@@ -121,9 +121,8 @@ template <Ordered T>
       return separation_above(placed, T(0));
     }
   }
-  const auto size_of = [](const T& v) { return v < T(0) ? T(-v) : v; };
-  const T size = board.half_width + board.half_length + placed.stone.sphere_radius + size_of(T(placed.p_W.x())) +
-                 size_of(T(placed.p_W.y())) + size_of(T(placed.p_W.z()));
+  const T size = board.half_width + board.half_length + placed.stone.sphere_radius + scalar::abs(T(placed.p_W.x())) +
+                 scalar::abs(T(placed.p_W.y())) + scalar::abs(T(placed.p_W.z()));
   if (Squares<T>::hold(size)) [[likely]] {
     return separation_with_sides(placed, board, reach, gap);
   }

@@ -74,7 +74,7 @@ template <Ordered T>
 /// the attitude is in registers.
 template <Ordered T>
 [[nodiscard]] inline bool is_placed(const Stone<T>& stone, const Pose<T>& pose) {
-  return is_unit(pose.q_WB) & (T(0) < stone.height) & scalar::is_finite(T(pose.p_WB.x() + pose.p_WB.y()));
+  return all(is_unit(pose.q_WB), T(0) < stone.height, scalar::is_finite(T(pose.p_WB.x() + pose.p_WB.y())));
 }
 
 /// Says what is wrong where that or the plane is not.
@@ -93,10 +93,10 @@ template <Ordered T>
 /// Error   gap within 1e-15 of the greater of width and distance (claim CONTACT-1).
 template <Ordered T>
 [[nodiscard]] Separation<T> separation(const Stone<T>& stone, const Pose<T>& pose, const Plane<T>& plane) {
-  const bool sound = detail::is_placed(stone, pose) & detail::is_unit(plane.n_W);
+  const bool sound = detail::all(detail::is_placed(stone, pose), detail::is_unit(plane.n_W));
   const Vec3<T> u_W = formula::unit_axis(pose.q_WB);
   Separation<T> result = detail::separation_along<T>({stone, pose.p_WB, u_W}, plane.n_W, plane.offset);
-  if (!(sound & scalar::is_finite(result.gap))) [[unlikely]] {
+  if (!detail::all(sound, scalar::is_finite(result.gap))) [[unlikely]] {
     detail::refuse(stone, pose, plane);
   }
   return result;
@@ -111,7 +111,7 @@ template <Ordered T>
   const bool sound = detail::is_placed(stone, pose);
   const Vec3<T> u_W = formula::unit_axis(pose.q_WB);
   Separation<T> result = detail::separation_above<T>({stone, pose.p_WB, u_W}, level);
-  if (!(sound & scalar::is_finite(result.gap))) [[unlikely]] {
+  if (!detail::all(sound, scalar::is_finite(result.gap))) [[unlikely]] {
     detail::refuse(stone, pose, Plane<T>{.offset = level});
   }
   return result;
@@ -133,10 +133,10 @@ template <Ordered T>
 /// Domain, error  as of `separation`.
 template <Ordered T>
 [[nodiscard]] T surface_gap(const Stone<T>& stone, const Pose<T>& pose, const Plane<T>& plane) {
-  const bool sound = detail::is_placed(stone, pose) & detail::is_unit(plane.n_W);
+  const bool sound = detail::all(detail::is_placed(stone, pose), detail::is_unit(plane.n_W));
   const detail::Direction<T> n = detail::see<T>(formula::unit_axis(pose.q_WB), plane.n_W).direction;
   const T gap = detail::gap_of(stone, T(formula::dot(plane.n_W, pose.p_WB) - plane.offset), n);
-  if (!(sound & scalar::is_finite(gap))) [[unlikely]] {
+  if (!detail::all(sound, scalar::is_finite(gap))) [[unlikely]] {
     detail::refuse(stone, pose, plane);
   }
   return gap;

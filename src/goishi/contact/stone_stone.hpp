@@ -22,7 +22,7 @@ template <Ordered T>
 [[nodiscard]] T inside_core(const Placed<T>& placed, const Vec3<T>& v) {
   const T signed_height = formula::dot(v, placed.u_W);
   const Vec3<T> radial = formula::plus(v, T(-signed_height), placed.u_W);
-  const T height = signed_height < T(0) ? T(-signed_height) : signed_height;
+  const T height = scalar::abs(signed_height);
   return scalar::sq(placed.stone.bevel_major_radius) - formula::dot(radial, radial) -
          height * (height + T(2) * placed.stone.sphere_offset);
 }

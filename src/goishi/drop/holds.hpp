@@ -87,7 +87,7 @@ class Holding {
   [[nodiscard]] T tilt() {
     constexpr int sides = 48, narrowings = 40;
     const Vec3<T> down = g_ / strength_;
-    const T x = down.x() < T(0) ? T(-down.x()) : down.x();
+    const T x = scalar::abs(T(down.x()));
     const Vec3<T> other = x < T(0.5) ? Vec3<T>(T(1), T(0), T(0)) : Vec3<T>(T(0), T(1), T(0));
     const Vec3<T> a = detail::unit(formula::cross(down, other)), b = formula::cross(down, a);
     const auto lean = [&](const T& side, const T& angle) {

@@ -16,13 +16,6 @@
 
 namespace goishi {
 
-namespace detail {
-template <class T>
-[[nodiscard]] constexpr T at_least(const T& value, const T& least) {
-  return value < least ? least : value;
-}
-}  // namespace detail
-
 /// Friction of a contact that lasts. F is what it adds to the force on the stone, N the normal force, s the slip.
 enum class FrictionModel {
   dry,                // Coulomb: F = −μ N s/|s|, and up to μ N without slip
@@ -69,7 +62,7 @@ struct DropSettings {
   // --- How exactly
   /// Of a step of the contact phase, relative to the stone's own scales; where it ends up: claims DROP-19, DROP-29. 1e-4
   /// serves a game, 1e-6 most.
-  T tolerance = detail::at_least(T(1e-9), T(1000) * std::numeric_limits<T>::epsilon());
+  T tolerance = scalar::max(T(1e-9), T(1000) * std::numeric_limits<T>::epsilon());
   /// [m/s] Approach below which bounces are closed by a plastic impulse. 2e-6 √(w g): 9.3e-7. Where a stone of size 33
   /// dropped from 5 cm comes to rest depends on it by 1.6e-9 m in the median; by 1.4e-6 m at 1e-3 m/s (100 drops against
   /// 1e-8 m/s, measured 2026-11-22).
@@ -81,7 +74,7 @@ struct DropSettings {
   /// proportion to it (claim DROP-28), their number to 1/it. 2e-3 √(w g): 9.3e-4, hops of up to 2e-4 s and 5e-8 m
   std::optional<T> edge_speed;
   /// Of the width: a stone no deeper inside is taken as touching, a deeper one refused.
-  T touching = detail::at_least(T(1e-9), T(64) * std::numeric_limits<T>::epsilon());
+  T touching = scalar::max(T(1e-9), T(64) * std::numeric_limits<T>::epsilon());
 };
 
 /// The settings with all that was not set filled in, for a stone and the acceleration g that its scales are made with

@@ -49,7 +49,7 @@ template <Ordered T, template <class> class Matrix>
   const T least = least_ordinary<T>();
   const T approach = -formula::dot(c.v, c.n);
   const T mobility = formula::dot(c.n, formula::product(c.W, c.n));
-  return (least < approach) & (approach * least < T(1)) & (least < mobility) & (mobility * least < T(1));
+  return all(least < approach, approach * least < T(1), least < mobility, mobility * least < T(1));
 }
 
 /// The law. In line and in its own units where those are ordinary ones.

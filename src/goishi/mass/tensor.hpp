@@ -151,7 +151,9 @@ template <Ordered T>
     }
   }
   std::array<int, 3> order = {0, 1, 2};
-  std::sort(order.begin(), order.end(), [&](int i, int j) { return A(i, i) < A(j, j); });
+  // Equal ones by their number: of these every standard library makes an order of its own.
+  std::sort(order.begin(), order.end(),
+            [&](int i, int j) { return A(i, i) < A(j, j) || (!(A(j, j) < A(i, i)) && i < j); });
   PrincipalAxes<T> result;
   for (int i = 0; i < 3; ++i) {
     const int from = order[static_cast<std::size_t>(i)];

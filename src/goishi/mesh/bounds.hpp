@@ -28,7 +28,7 @@ template <Ordered T>
   const Vec3<T> u = symmetry_axis(pose.q_WB);
   Bounds<T> result;
   for (int i = 0; i < 3; ++i) {
-    const T axial = u[i] < T(0) ? T(-u[i]) : u[i];
+    const T axial = scalar::abs(T(u[i]));
     const T square = scalar::sq(u[(i + 1) % 3]) + scalar::sq(u[(i + 2) % 3]);  // no difference of near equals
     const detail::Direction<T> seen{axial, scalar::sqrt(square), square};
     const T half = detail::meets_cap(stone, seen) ? formula::cap_support(stone, seen.axial, seen.radial_square)

@@ -19,16 +19,6 @@ template <Ordered T>
   return scalar::sq(T(deviation * deviation * deviation)) < std::numeric_limits<T>::epsilon() / T(4);
 }
 
-template <Ordered T>
-[[nodiscard]] T larger(const T& x, const T& y) {
-  return x < y ? y : x;
-}
-
-template <Ordered T>
-[[nodiscard]] T magnitude(const T& x) {
-  return x < T(0) ? T(-x) : x;
-}
-
 }  // namespace detail
 
 /// Carlson's integral of the first kind, R_F(x, y, z) = ½ ∫₀^∞ dt / √((t + x)(t + y)(t + z)).
@@ -40,8 +30,7 @@ template <Ordered T>
     const T mean = (x + y + z) * third;
     const T X = (mean - x) / mean, Y = (mean - y) / mean;
     const T Z = -(X + Y);
-    const T deviation =
-        detail::larger(detail::magnitude(X), detail::larger(detail::magnitude(Y), detail::magnitude(Z)));
+    const T deviation = scalar::max(scalar::abs(X), scalar::max(scalar::abs(Y), scalar::abs(Z)));
     if (!(T(0) < deviation) || detail::series_converged(deviation)) {
       const T e2 = X * Y - Z * Z;
       const T e3 = X * Y * Z;
@@ -65,8 +54,8 @@ template <Ordered T>
     const T mean = (x + y + z + p + p) * fifth;
     const T X = (mean - x) / mean, Y = (mean - y) / mean, Z = (mean - z) / mean;
     const T P = -(X + Y + Z) / T(2);
-    const T deviation = detail::larger(detail::larger(detail::magnitude(X), detail::magnitude(Y)),
-                                       detail::larger(detail::magnitude(Z), detail::magnitude(P)));
+    const T deviation =
+        scalar::max(scalar::max(scalar::abs(X), scalar::abs(Y)), scalar::max(scalar::abs(Z), scalar::abs(P)));
     if (!(T(0) < deviation) || detail::series_converged(deviation)) {
       const T xyz = X * Y * Z;
       const T e2 = X * Y + X * Z + Y * Z - T(3) * P * P;

@@ -169,7 +169,7 @@ template <Ordered T>
 template <Ordered T>
 [[nodiscard]] Quat<T> asymmetric_rotation(const Quat<T>& q_WB, const JacobiFrame<T>& frame, const T& t) {
   const JacobiSolution<T> start = formula::jacobi_solution(frame.moments, frame.L_F);
-  const T m1 = elliptic::detail::larger(start.m1, std::numeric_limits<T>::min());
+  const T m1 = scalar::max(start.m1, std::numeric_limits<T>::min());
 
   // Whole half turns, and the rest.
   const elliptic::JacobiFunctions<T> jacobi(m1);

@@ -368,8 +368,8 @@ class Scene {
     const DropSettings<T> all = filled(course_.world.settings.drop, member.stone, course_.world.g);
     const bool freely = !(T(0) < *all.rolling_resistance) && !(T(0) < *all.pivot_radius);
     const T &delta = *all.rolling_resistance, &kappa = *all.pivot_radius;
-    member.rolling = freely ? T(0) : detail::at_least(delta, T(kappa / T(100)));
-    member.pivot = freely ? T(0) : detail::at_least(kappa, T(delta / T(100)));
+    member.rolling = freely ? T(0) : scalar::max(delta, T(kappa / T(100)));
+    member.pivot = freely ? T(0) : scalar::max(kappa, T(delta / T(100)));
   }
 
   /// Throws InvalidArgument if a stone would overlap the board, the floor or another one.

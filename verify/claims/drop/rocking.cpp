@@ -229,8 +229,8 @@ std::vector<Claim> drop_rocking_claims() {
                     "along * gyration.x() - swept.x()"},
                    {"drop/equations/contact_motion.hpp", "along * gyration.z() + swept.z()",
                     "along * gyration.z() - swept.z()"},
-                   {"drop/equations/rolling.hpp", "return radial - (axial < T(0)",
-                    "return T(1000001) / T(1000000) * radial - (axial < T(0)"}},
+                   {"drop/equations/rolling.hpp", "return radial - scalar::abs(axial)",
+                    "return T(1000001) / T(1000000) * radial - scalar::abs(axial)"}},
        .measure = measure_periods},
       {.id = "DROP-6",
        .statement = "Under rolling resistance δ alone each half swing takes the amplitude down by what the equation in "

@@ -265,7 +265,7 @@ std::vector<Claim> drop_whole_claims() {
                        "seeds: one of 40 with two of them, none with the others",
                    .resolution = 2.5,
                    .counts = true}},
-       .mutants = {{"drop/steps/crossing.hpp", "return at_least(T(1e-12),", "return at_least(T(1e-4),"}},
+       .mutants = {{"drop/steps/crossing.hpp", "return scalar::max(T(1e-12),", "return scalar::max(T(1e-4),"}},
        .measure = measure_place},
       {.id = "DROP-20",
        .statement =

@@ -71,7 +71,7 @@ class Gliding {
 
   /// From the state that was evaluated last.
   void begin_step() {
-    N_ = force.z() < T(0) ? T(-force.z()) : force.z();
+    N_ = scalar::abs(T(force.z()));
     stiffness_ = N_ * ratio_ * (now.W.xx + now.W.yy);
   }
   void carry_from(const Vec3<T>& origin) { origin_ = origin; }
@@ -132,7 +132,7 @@ class Gliding {
         return false;
       }
       // Newton squares the error: what a change of 1e-8 leaves is round-off.
-      if (moved < scalar::sq(at_least(T(1e-8), T(4) * std::numeric_limits<T>::epsilon())) * least) {
+      if (moved < scalar::sq(scalar::max(T(1e-8), T(4) * std::numeric_limits<T>::epsilon())) * least) {
         k = all_rates(stage, slip_rate_at(s_x, s_y));
         k[at::slip] = (s_x - from_x) / reach;
         k[at::direction] = (s_y - from_y) / reach;

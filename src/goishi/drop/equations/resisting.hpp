@@ -101,7 +101,7 @@ template <Ordered T, class Equations, class Evaluate, class ForceChange>
     const Vec3<T> rate(k[at::L], k[at::L + 1], k[at::L + 2]);
     const Vec3<T> residual = formula::minus(formula::plus(from, reach, rate), L);
     const Kinetics<T>& now = equations.now;
-    const T N = equations.force.z() < T(0) ? T(-equations.force.z()) : equations.force.z();
+    const T N = scalar::abs(T(equations.force.z()));
     const ResistanceSlope<T> slope(body, now);
     // The columns of 1 − reach ∂L̇/∂L, as far as resistance makes it.
     const auto column = [&](const Vec3<T>& dL) {
@@ -120,7 +120,7 @@ template <Ordered T, class Equations, class Evaluate, class ForceChange>
     L = formula::plus(L, change);
     // Newton's method all but squares the error: what is left is far below.
     const T least = T(1e-12) * body.frequency / body.mobility.transverse;
-    if (size <= scalar::sq(T(at_least(T(1e-9), T(8) * std::numeric_limits<T>::epsilon()) *
+    if (size <= scalar::sq(T(scalar::max(T(1e-9), T(8) * std::numeric_limits<T>::epsilon()) *
                              (least + scalar::sqrt(formula::dot(L, L)))))) {
       for (std::size_t n = 0; n < 3; ++n) {
         const auto m = static_cast<Eigen::Index>(n);

@@ -19,7 +19,7 @@ inline constexpr std::size_t guard_count = 6;
 /// What counts as zero of a guard where the equations change.
 template <class T>
 [[nodiscard]] constexpr T guard_noise() {
-  return at_least(T(1e-9), T(64) * std::numeric_limits<T>::epsilon());
+  return scalar::max(T(1e-9), T(64) * std::numeric_limits<T>::epsilon());
 }
 
 /// The guards of a state, in the order of `names`; the unused are 1.
@@ -37,7 +37,7 @@ template <Ordered T>
   const T radial = scalar::sqrt(T(scalar::sq(u.x()) + scalar::sq(u.y()))) * stone.joint_sine;
   const T axial = u.z() * stone.joint_cosine;
   if (feature == Feature::rim) {
-    return radial - (axial < T(0) ? T(-axial) : axial);
+    return radial - scalar::abs(axial);
   }
   return (feature == Feature::lower_cap ? axial : T(-axial)) - radial;
 }
@@ -130,7 +130,7 @@ class Rolling {
                                                            Guard::none,    Guard::none,     Guard::support};
 
   /// From the state that was evaluated last.
-  void begin_step() { N_ = force.z() < T(0) ? T(-force.z()) : force.z(); }
+  void begin_step() { N_ = scalar::abs(T(force.z())); }
   void carry_from(const Vec3<T>& origin) { origin_ = origin; }
 
   Kinetics<T> now;

@@ -67,7 +67,7 @@ class EdgeHops {
     run.state.v_WB = impact.body.v_WB;
     run.state.L_W = impact.body.L_W;
     resist(run, contact.n_W, impact.impulse.normal);
-    const T lacking = *run.settings.edge_speed / T(3) - (approach < T(0) ? T(-approach) : approach);
+    const T lacking = *run.settings.edge_speed / T(3) - scalar::abs(approach);
     if (T(0) < lacking) {
       lift(run, contact, lacking);
     }

@@ -184,7 +184,7 @@ class FlightPhase {
   /// Out of an overlap of round-off, by a little more than that; by twice as much if it comes again at once.
   void push_out(Run<T>& run, const Separation<T>& contact) {
     const T along = formula::dot(contact.n_W, run.state.p_WB);
-    const T p = along < T(0) ? T(-along) : along;
+    const T p = scalar::abs(along);
     margin_ = margin_ + margin_;
     const T more = margin_ * std::numeric_limits<T>::epsilon() * (p + outer_width(run.stone));
     run.state.p_WB = run.state.p_WB + (more - contact.gap) * contact.n_W;
@@ -243,15 +243,14 @@ class FlightPhase {
       return false;
     }
     // Moves the end by less than 1e-10 of what is summed.
-    const T small = detail::at_least(T(1e-10), T(16) * std::numeric_limits<T>::epsilon());
+    const T small = scalar::max(T(1e-10), T(16) * std::numeric_limits<T>::epsilon());
     const Vec3<T> r = contact_W - run.state.p_WB;
     if (small * run.reach < scalar::sqrt(T(scalar::sq(r.x()) + scalar::sq(r.y())))) {
       return false;
     }
     const bool ball = !(T(0) < run.stone.sphere_offset);
     const Vec3<T>& L = run.state.L_W;
-    const T nothing =
-        small * (run.body.mass * run.reach * *run.settings.closing_speed + (L.z() < T(0) ? T(-L.z()) : L.z()));
+    const T nothing = small * (run.body.mass * run.reach * *run.settings.closing_speed + scalar::abs(T(L.z())));
     if (!ball && scalar::sq(nothing) < scalar::sq(L.x()) + scalar::sq(L.y())) {
       return false;
     }
@@ -278,7 +277,7 @@ class FlightPhase {
     if (run.level < T(0)) {
       return way < separation(run.stone, pose_of(run), *run.board).gap;
     }
-    const auto inside = [&](const T& x, const T& half) { return (x < T(0) ? T(-x) : x) + way < half; };
+    const auto inside = [&](const T& x, const T& half) { return scalar::abs(x) + way < half; };
     return inside(run.contact_W.x(), run.board->half_width) && inside(run.contact_W.y(), run.board->half_length);
   }
 
@@ -317,7 +316,7 @@ class FlightPhase {
       return;
     }
     Vec3<T>& p = run.state.p_WB;
-    const T level = run.level < T(0) ? T(-run.level) : run.level;
+    const T level = scalar::abs(T(run.level));
     p.z() = p.z() + T(64) * std::numeric_limits<T>::epsilon() * (outer_width(run.stone) + level);
   }
 

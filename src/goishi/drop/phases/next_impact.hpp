@@ -16,7 +16,7 @@ template <Ordered T>
   const auto inside = [&](std::size_t axis, const T& half, const T& when) {
     const auto i = static_cast<Eigen::Index>(axis);
     const T x = path.p_W[i] + when * (path.v_W[i] + when / T(2) * path.a_W[i]);
-    return (x < T(0) ? T(-x) : x) <= half - run.reach;
+    return scalar::abs(x) <= half - run.reach;
   };
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const T& half = axis == 0 ? run.board->half_width : run.board->half_length;

@@ -79,7 +79,7 @@ class OnsetSolver {
     // The friction for each slip that goes with the slip it leaves: further each time until it lies between two, then by
     // false position (Illinois).
     constexpr int most_patches = 100;
-    const T exact = at_least(T(1e-11), T(16) * std::numeric_limits<T>::epsilon());
+    const T exact = scalar::max(T(1e-11), T(16) * std::numeric_limits<T>::epsilon());
     T low(0), high(0), low_off(0), high_off(0), far(1);
     int last = 0;
     for (int i = 0; i < most_patches; ++i) {
@@ -146,7 +146,7 @@ class OnsetSolver {
     Part part;
     T largest(0);
     for (std::size_t i = from; i < to; ++i) {
-      largest = at_least(x[i] < T(0) ? T(-x[i]) : x[i], largest);
+      largest = scalar::max(scalar::abs(T(x[i])), largest);
     }
     if (!(T(0) < largest)) {
       return part;
@@ -262,7 +262,7 @@ class OnsetSolver {
 
   /// The velocity at which the contact point leaves after a normal impulse N. Friction that does not end pulls, too.
   [[nodiscard]] T leaving(const T& N, Shares& at) {
-    const T size = N < T(0) ? T(-N) : N;
+    const T size = scalar::abs(N);
     at = shares(N, size);
     T v = c_.z() + N * normal_.point.z();
     for (std::size_t i = 0; i < used_; ++i) {
@@ -277,7 +277,7 @@ class OnsetSolver {
     Shares at;
     const T epsilon = std::numeric_limits<T>::epsilon();
     const T falls = rough_ ? T(scalar::sqrt(formula::dot(c_, c_)) + h_ * body_.strength) : T(-c_.z());
-    const T first = at_least(falls, T(epsilon * h_ * body_.strength)) / (T(64) * now_.W.zz);
+    const T first = scalar::max(falls, T(epsilon * h_ * body_.strength)) / (T(64) * now_.W.zz);
     solvable_ = true;
     T sign(1), low(0), low_v = c_.z();
     if (rough_) {
@@ -370,7 +370,7 @@ template <Ordered T>
 [[nodiscard]] T onset_time(const ContactBody<T>& body, const Kinetics<T>& now, const T& s_x, const T& s_y) {
   const T turning = scalar::sqrt(formula::dot(now.w, now.w));
   const T slip = scalar::sqrt(T(scalar::sq(s_x) + scalar::sq(s_y))) / body.stone.width;
-  return at_least(T(1e-7), T(scalar::sqrt(std::numeric_limits<T>::epsilon()))) / (body.frequency + turning + slip);
+  return scalar::max(T(1e-7), T(scalar::sqrt(std::numeric_limits<T>::epsilon()))) / (body.frequency + turning + slip);
 }
 
 }  // namespace goishi::detail

@@ -11,7 +11,7 @@ namespace goishi::detail {
 /// What counts as zero there.
 template <class T>
 [[nodiscard]] constexpr T crossing_noise() {
-  return at_least(T(1e-12), T(32) * std::numeric_limits<T>::epsilon());
+  return scalar::max(T(1e-12), T(32) * std::numeric_limits<T>::epsilon());
 }
 
 /// Illinois on the share of a step: `old` is what is watched at its beginning, `now` what is at `share`, where the one of

@@ -28,9 +28,8 @@ class EnergyBalance {
     const Energy now = energy_of(run, equations, y);
     const T change = now.total + y[at::loss] - energy_ - excess_;
     const T potential = now.kinetic - now.total;
-    const T round_off =
-        T(64) * std::numeric_limits<T>::epsilon() * (now.kinetic + (potential < T(0) ? T(-potential) : potential));
-    return (change < T(0) ? T(-change) : change) /
+    const T round_off = T(64) * std::numeric_limits<T>::epsilon() * (now.kinetic + scalar::abs(potential));
+    return scalar::abs(change) /
            (run.settings.tolerance * run.scales.thinness * scalar::sq(run.scales.speed) + round_off);
   }
 

@@ -76,8 +76,7 @@ template <Ordered T>
   const T w = W.zz * scalar::sqrt(T(scalar::sq(S.x) + scalar::sq(S.y)));
   T low(0), high = b * (W.zz + friction * w) / (friction * W.zz * closing), lambda(0);
   constexpr int most_steps = 60;
-  const T small =
-      T(1e-10) < T(8) * std::numeric_limits<T>::epsilon() ? T(8) * std::numeric_limits<T>::epsilon() : T(1e-10);
+  const T small = scalar::max(T(1e-10), T(T(8) * std::numeric_limits<T>::epsilon()));
   for (int i = 0; i < most_steps; ++i) {
     const T excess = friction * normal - size;
     if (-small * size <= excess && excess <= small * size) {

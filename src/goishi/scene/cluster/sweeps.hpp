@@ -111,7 +111,7 @@ class Sweeps {
         push(row, row.in_world(more));
         const Vec3<T> change = formula::product(row.W, more);
         for (Eigen::Index i = 0; i < 3; ++i) {
-          greatest = at_least(greatest, change[i] < T(0) ? T(-change[i]) : T(change[i]));
+          greatest = scalar::max(greatest, scalar::abs(T(change[i])));
         }
         row.p = p;
       }
@@ -142,7 +142,7 @@ class Sweeps {
     row.torque = torque;
     const Vec3<T> w = formula::turning(a.mobility, a.u, more);
     const T change = a.reach * scalar::sqrt(formula::dot(w, w));
-    greatest = at_least(greatest, change);
+    greatest = scalar::max(greatest, change);
   }
 
   void read(std::vector<T>& x) const {

@@ -53,11 +53,11 @@ class ClusterContacts {
     // L/I_t = ω − (1/I_a − 1/I_t)(u · L) u
     const Vec3<T> turn = formula::scaled(t, formula::plus(mover.w, T(-spin), mover.u));
     const T angle = scalar::sqrt(T(formula::dot(turn, turn) + scalar::tiny<T>()));
-    const T c = scalar::cos(angle), s = scalar::sin(angle);
-    const Vec3<T> k = formula::scaled(T(T(1) / angle), turn), across = formula::cross(k, mover.u);
-    const Vec3<T> u =
-        formula::plus(formula::combination(c, mover.u, s, across), T((T(1) - c) * formula::dot(k, mover.u)), k);
-    return {member.stone, formula::plus(member.state.p_WB, t, mover.v), u};
+    FlightPath<T> path;
+    path.u_W = mover.u;
+    path.k_W = formula::scaled(T(T(1) / angle), turn);
+    return {member.stone, formula::plus(member.state.p_WB, t, mover.v),
+            formula::axis_turned(path, scalar::sincos(angle))};
   }
 
   /// The gap that a row will have, less the clearance   [m].

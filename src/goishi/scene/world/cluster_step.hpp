@@ -141,16 +141,16 @@ class ClusterStep : private ClusterImpulses<T> {
     const T& longest = *world.settings.step;
     T square(0), reach(0);
     for (const Mover<T>& mover : sweeps.movers) {
-      square = at_least(square, formula::dot(mover.w, mover.w));
-      reach = at_least(reach, mover.reach);
+      square = scalar::max(square, formula::dot(mover.w, mover.w));
+      reach = scalar::max(reach, mover.reach);
     }
     for (std::size_t k = 0; k < sweeps.rows.size(); ++k) {
       const Vec3<T> v = formula::minus(sweeps.velocity(sweeps.rows[k]), contacts_.sources[k].other_v);
-      square = at_least(square, T(formula::dot(v, v) / scalar::sq(reach)));
+      square = scalar::max(square, T(formula::dot(v, v) / scalar::sq(reach)));
     }
     const T angle = cube_root(T(T(12) * *world.settings.clearance / reach));
     const T step = square * scalar::sq(longest) <= scalar::sq(angle) ? longest : T(angle / scalar::sqrt(square));
-    return at_least(step, T(longest / T(shortest_share)));
+    return scalar::max(step, T(longest / T(shortest_share)));
   }
 
   [[nodiscard]] static T cube_root(const T& x) {
@@ -239,8 +239,8 @@ class ClusterStep : private ClusterImpulses<T> {
     Cluster<T>& cluster = world.clusters[c];
     Sweeps<T>& sweeps = contacts_.sweeps;
     // No slower than what the solver's tolerance may leave.
-    const T slow = at_least(T(T(0.2) * *world.settings.impact_speed),
-                            T(world.settings.solver_tolerance * *world.settings.step * world.g));
+    const T slow = scalar::max(T(T(0.2) * *world.settings.impact_speed),
+                               T(world.settings.solver_tolerance * *world.settings.step * world.g));
     for (const Mover<T>& mover : sweeps.movers) {
       if (scalar::sq(slow) < formula::dot(mover.v, mover.v) ||
           scalar::sq(slow) < scalar::sq(mover.reach) * formula::dot(mover.w, mover.w)) {

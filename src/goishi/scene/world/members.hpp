@@ -19,7 +19,7 @@ namespace goishi::detail {
 /// The greatest distance of a point of a stone from its centre   [m].
 template <Ordered T>
 [[nodiscard]] T greatest_reach(const Stone<T>& stone) {
-  return at_least(T(outer_width(stone) / T(2)), T(stone.height / T(2)));
+  return scalar::max(T(outer_width(stone) / T(2)), T(stone.height / T(2)));
 }
 
 /// Who moves a stone.
