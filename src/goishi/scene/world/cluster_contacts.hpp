@@ -157,10 +157,10 @@ class ClusterContacts {
     const Separation<T> contact = separation(placed(world.members[i]), two);
     ++world.counters.separations;
     if (world.range < contact.gap) {
-      world.wait(k, T(contact.gap - world.range), false);
+      world.wait(k, T(contact.gap - world.range), T(world.members[i].bounds.surface + other.bounds.surface), false);
     } else if (add(world, pair.contact, known, i, j, contact, T(contact.gap - *world.settings.clearance))) {
       pair.exact = pair.touches = false;
-      world.unschedule(DueKind::pair, k);
+      world.agenda.remove(DueKind::pair, k);
     } else {
       pair.exact = true;  // of so fast ones, when they touch is asked after the step has been chosen
       pair.touches = false;
