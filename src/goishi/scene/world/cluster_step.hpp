@@ -17,7 +17,8 @@ namespace goishi::detail {
 template <Ordered T>
 class ClusterStep : private ClusterImpulses<T> {
   using Impulses = ClusterImpulses<T>;
-  using Impulses::begin, Impulses::solve, Impulses::take, Impulses::take_with_rates, Impulses::remember, Impulses::meet_fast;
+  using Impulses::begin, Impulses::solve, Impulses::take, Impulses::take_with_rates, Impulses::remember,
+      Impulses::meet_fast;
   using Impulses::contacts_, Impulses::h_, Impulses::is_closed, Impulses::far_off;
 
  public:
@@ -208,7 +209,7 @@ class ClusterStep : private ClusterImpulses<T> {
       const T lowest = (gap < T(0) ? gap : T(0)) - slack;
       // So slow that nothing bends by more than that.
       const T bend = sweeps.movers[sweeps.rows[k].a].reach * contacts_.turning_square(k);
-      if (slack < bend * scalar::sq(h_) && contacts_.gap_after(world, k, h_) < lowest) {
+      if (slack < bend * scalar::sq(h_) && contacts_.leads_below(world, k, h_, lowest)) {
         return true;
       }
     }
@@ -271,7 +272,7 @@ class ClusterStep : private ClusterImpulses<T> {
       contacts_.aim(world, k, h_, false);  // from the impulses of the last step
       row.bias = {T(0), T(0), is_closed(world, contacts_.sources[k]) ? T(0) : far_off(world)};
     }
-    const bool solved = solve(world, T(1e-6), 4 * most_sweeps);
+    const bool solved = solve(world, T(1e-6), most_sweeps / 2);
     const T still = T(1e-4) * h * world.g;
     bool rests = solved;
     for (const Mover<T>& mover : sweeps.movers) {

@@ -51,12 +51,12 @@ struct Member {
   bool fresh = false;  // its drop has just begun
   State<T> state;      // of a cluster, a rest, a hand: at `time`
   T time = T(0);
-  T nominal = T(0);               // [s] of a cluster: the time that its velocity is of
+  T nominal = T(0);                                            // [s] of a cluster: the time that its velocity is of
   Vec3<T> v_rate = Vec3<T>::Zero(), L_rate = Vec3<T>::Zero();  // of a cluster: means of its step
   T last_touch = T(0);                                         // [s] of a cluster: when another stone pushed it
-  Vec3<T> w_W = Vec3<T>::Zero();  // of a hand
-  T hand_end = T(0);              // likewise
-  T work = T(0);                  // [J] that the hand has done
+  Vec3<T> w_W = Vec3<T>::Zero();                               // of a hand
+  T hand_end = T(0);                                           // likewise
+  T work = T(0);                                               // [J] that the hand has done
   DropPast<T> past = {};
   DropStatus status = DropStatus::moving;
 
@@ -64,7 +64,7 @@ struct Member {
   GridPlace<T> place = {};
   std::vector<std::size_t> pairs = {};
   std::array<ContactMemory<T>, 2> ground = {};  // board, floor
-  std::size_t local = no_index;  // its number in the step at work
+  std::size_t local = no_index;                 // its number in the step at work
 };
 
 template <class T>
@@ -74,8 +74,9 @@ struct PairRecord {
   bool exact = false;    // `due` holds for their present motions only
   bool touches = false;  // when it is due
   bool of_centres = false;
-  T speed = T(0);        // [m/s] else `due` holds for relative speeds, of the centres or of the surfaces, up to this
-  T due = T(0);          // [s] when to look again
+  T speed = T(0);  // [m/s] else `due` holds for relative speeds, of the centres or of the surfaces, up to this
+  T due = T(0);    // [s] when to look again
+  Vec3<T> n_W = Vec3<T>::Zero();  // that separated most, last time; 0: not yet looked at
   ContactMemory<T> contact;
 };
 
@@ -83,7 +84,7 @@ template <class T>
 struct Cluster {
   std::vector<std::size_t> members;
   bool used = false, asleep = false;
-  T end = T(0);           // [s] of its step
+  T end = T(0);                 // [s] of its step
   int wait = 0, next_wait = 1;  // steps until rest is tried again
 };
 

@@ -202,6 +202,14 @@ class World {
     agenda.set(DueKind::pair, k, now);
   }
 
+  /// How far the stones of a pair are apart, the normal out of the second.
+  [[nodiscard]] Separation<T> apart(PairRecord<T>& pair, const Placed<T>& one, const Placed<T>& two) {
+    ++counters.separations;
+    const Separation<T> found = separation(one, two);
+    pair.n_W = found.n_W;
+    return found;
+  }
+
   /// A pair whose stones may be faster from now on has what is left of its way to go.
   void hasten(std::size_t k) {
     PairRecord<T>& pair = pairs[k];
@@ -239,8 +247,15 @@ class World {
       pair.touches = false;
       return;
     }
-    const Separation<T> apart = separation(sight(one, now).placed, sight(two, now).placed);
-    ++counters.separations;
+    const Placed<T> first = sight(one, now).placed, second = sight(two, now).placed;
+    if (T(0) < formula::dot(pair.n_W, pair.n_W)) {
+      const T least = gap_along_normal(first, second, pair.n_W);
+      if (T(2) * range < least && limit <= now + (least - range) / speed) {
+        wait(k, T(least - range), speed, false);
+        return;
+      }
+    }
+    const Separation<T> apart = this->apart(pair, first, second);
     const T safe = (apart.gap - range) / speed;
     if (limit <= now + safe && T(2) * range < apart.gap) {
       wait(k, T(apart.gap - range), speed, false);
