@@ -44,11 +44,25 @@ template <Ordered T>
           formula::scaled(path.rate, path.k_W)};
 }
 
-/// Only where its centre is.
+/// Where only the centre of a stone alone is, along its present stretch.
 template <Ordered T>
-[[nodiscard]] Vec3<T> centre(const Moving<T>& moving, const T& time) {
-  return moving.touching != nullptr ? sight(moving, time).placed.p_W
-                                    : formula::centre_at(moving.path, T(time - moving.begin));
+[[nodiscard]] Vec3<T> centre_of(const Drop<T>& drop, const T& time) {
+  const Stretch<T>& stretch = drop.stretch();
+  const T t = time - stretch.begin;
+  if (const auto* touching = std::get_if<Touching<T>>(&stretch.motion)) {
+    const Variables<T> y = touching->along(t < touching->length ? T(t / touching->length) : T(1));
+    const ContactFrame<T>& frame = touching->frame;
+    return {y[at::x], y[at::y], T(frame.level + geometry_of(drop.stone(), frame.feature, axis_of(y)).height)};
+  }
+  if (const auto* flying = std::get_if<Flying<T>>(&stretch.motion)) {
+    const State<T>& from = flying->from;
+    return formula::plus(from.p_WB, t, formula::plus(from.v_WB, T(t / T(2)), flying->gravity));
+  }
+  if (const auto* bouncing = std::get_if<Bouncing<T>>(&stretch.motion)) {
+    const State<T>& from = bouncing->from;
+    return formula::plus(from.p_WB, t, Vec3<T>(from.v_WB.x(), from.v_WB.y(), T(0)));
+  }
+  return std::get<Standing<T>>(stretch.motion).state.p_WB;
 }
 
 /// The most that −H'' of a gap along a fixed normal gets from this stone   [m/s²].
@@ -83,20 +97,29 @@ template <Ordered T>
   return (across + height + stone.sphere_offset * turn) / scalar::sq(touching.length);
 }
 
-/// A bound of the speed of any point of its surface of a stone alone, until something else touches it   [m/s]; in a flight,
-/// until its end. `lever` = √(1 + c²/k²), c its reach, k² = I_t/m: |v| + c |ω| <= lever √(2 e) where v² + k² ω² <= 2 e.
+/// No faster   [m/s], until they are raised.
+template <class T>
+struct SpeedBounds {
+  T centre = T(0), surface = T(0);
+};
+
+/// Bounds of the speeds of a stone alone, of its centre and of any point of its surface, until something else touches it; in a
+/// flight, until its end. `lever` = √(1 + c²/k²), c its reach, k² = I_t/m: |v| + c |ω| <= lever √(2 e) where v² + k² ω² <= 2 e.
 template <Ordered T>
-[[nodiscard]] T speed_bound(const Drop<T>& drop, const T& reach, const T& lever, const TopRates<T>& rates) {
+[[nodiscard]] SpeedBounds<T> speed_bounds(const Drop<T>& drop, const T& reach, const T& lever,
+                                          const TopRates<T>& rates) {
   const Stretch<T>& stretch = drop.stretch();
   const auto size = [](const Vec3<T>& v) { return scalar::sqrt(formula::dot(v, v)); };
   if (const auto* flying = std::get_if<Flying<T>>(&stretch.motion)) {
     const T horizon = *filled(drop.settings(), drop.stone(), drop.contact_body().strength).horizon;
     const T length = stretch.end - stretch.begin < horizon ? T(stretch.end - stretch.begin) : horizon;
     const T first = size(flying->from.v_WB), last = size(formula::plus(flying->from.v_WB, length, flying->gravity));
-    return (first < last ? last : first) + reach * rates.precession * size(flying->from.L_W);
+    const T centre = scalar::max(first, last);
+    return {centre, T(centre + reach * rates.precession * size(flying->from.L_W))};
   }
   if (const auto* bouncing = std::get_if<Bouncing<T>>(&stretch.motion)) {
-    return size(bouncing->from.v_WB) + reach * rates.precession * size(bouncing->from.L_W);
+    const T centre = size(bouncing->from.v_WB);
+    return {centre, T(centre + reach * rates.precession * size(bouncing->from.L_W))};
   }
   if (const auto* touching = std::get_if<Touching<T>>(&stretch.motion)) {
     const ContactBody<T>& body = drop.contact_body();
@@ -106,10 +129,11 @@ template <Ordered T>
     const Vec3<T>& g = body.gravity;
     const T fall = scalar::abs(T(g.z())) * (now.height - drop.stone().height / T(2));
     const T energy = formula::contact_kinetic_energy(now, s[0], s[1]) + (fall < T(0) ? T(0) : fall);
-    const T slope = scalar::sqrt(T(scalar::sq(g.x()) + scalar::sq(g.y())));
-    return T(1.01) * lever * scalar::sqrt(T(T(2) * energy)) + slope * touching->length;
+    const T slope = scalar::sqrt(T(scalar::sq(g.x()) + scalar::sq(g.y()))) * touching->length;
+    const T centre = T(1.01) * scalar::sqrt(T(T(2) * energy));
+    return {T(centre + slope), T(lever * centre + slope)};
   }
-  return T(0);
+  return {};
 }
 
 /// How a stone alone moves along its present stretch.
