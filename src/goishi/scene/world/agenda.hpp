@@ -64,7 +64,7 @@ class Agenda {
     }
     const Entry first = heap_.front();
     take_off(0);
-    return Due<T>{first.time, static_cast<DueKind>(first.code >> shift), first.code & (one << shift) - 1U};
+    return Due<T>{first.time, static_cast<DueKind>(first.code >> shift), id_of(first.code)};
   }
 
  private:
@@ -85,9 +85,9 @@ class Agenda {
     return (static_cast<std::uint64_t>(kind) << shift) | id;
   }
 
-  [[nodiscard]] std::size_t& place_of(const Entry& entry) {
-    return places_[entry.code >> shift][entry.code & ((one << shift) - 1U)];
-  }
+  [[nodiscard]] static std::size_t id_of(std::uint64_t code) { return code & ((one << shift) - 1U); }
+
+  [[nodiscard]] std::size_t& place_of(const Entry& entry) { return places_[entry.code >> shift][id_of(entry.code)]; }
 
   void put(std::size_t at, const Entry& entry) {
     heap_[at] = entry;

@@ -217,12 +217,13 @@ class SceneCourse {
       static_cast<void>(to_cluster(i));  // what its equations do not pass, steps do
       return;
     }
-    world.bound_by(i, speed_bounds(drop, member.reach, member.lever, member.rates));
+    const SpeedBounds<T> bounds = speed_bounds(drop, member.reach, member.lever, member.rates, world.now);
+    world.bound_by(i, bounds);
     if (member.fresh) {
       member.fresh = false;
       world.turn(i);
     }
-    world.agenda.set(DueKind::stretch, i, drop.stretch().end);
+    world.agenda.set(DueKind::stretch, i, bounds.until);
   }
 
   /// A hand has come to the end of its way.

@@ -80,6 +80,7 @@ class World {
     if (member.keeper == Keeper::drop) {
       Moving<T> result = moving_of(drops[member.drop], member.rates);
       result.speed = member.bounds.surface;
+      result.end = scalar::min(result.end, member.bounds.until);
       return result;
     }
     Moving<T> result{.stone = &member.stone, .begin = member.time, .end = never, .speed = member.bounds.surface};
@@ -161,12 +162,13 @@ class World {
   /// Bounds a stone's speeds. What was found with lower ones holds for less long.
   void bound_by(std::size_t i, const SpeedBounds<T>& speeds) {
     SpeedBounds<T>& bounds = members[i].bounds;
+    bounds.until = speeds.until;
     const auto is_near = [](const T& speed, const T& bound) { return speed <= bound && T(0.25) * bound <= speed; };
     if (is_near(speeds.centre, bounds.centre) && is_near(speeds.surface, bounds.surface)) {
       return;
     }
     const bool higher = bounds.centre < speeds.centre || bounds.surface < speeds.surface;
-    bounds = {T(T(1.4) * speeds.centre), T(T(1.4) * speeds.surface)};
+    bounds = {T(T(1.4) * speeds.centre), T(T(1.4) * speeds.surface), speeds.until};
     if (higher) {
       agenda.set(DueKind::look, i, now);
       for (const std::size_t k : members[i].pairs) {
@@ -237,7 +239,9 @@ class World {
     const Vec3<T> between = formula::minus(centre_at(a, now), centre_at(b, now));
     const T spheres = scalar::sqrt(formula::dot(between, between)) - (a.reach + b.reach);
     if (T(2) * range < spheres) {  // and not by less and less
-      wait(k, T(spheres - range), T(a.bounds.centre + b.bounds.centre), true);
+      if (!fly_apart(k, between)) {
+        wait(k, T(spheres - range), T(a.bounds.centre + b.bounds.centre), true);
+      }
       return;
     }
     const Moving<T> one = moving(a), two = moving(b);
@@ -271,6 +275,30 @@ class World {
     pair.exact = true;
     pair.due = found.time;
     agenda.set(DueKind::pair, k, pair.due);
+  }
+
+  /// Two stones that both fly, and fall alike, meet no sooner than the spheres around them, which go straight on seen from each
+  /// other. False if they do not.
+  [[nodiscard]] bool fly_apart(std::size_t k, const Vec3<T>& between) {
+    PairRecord<T>& pair = pairs[k];
+    const Member<T>&a = members[pair.first], &b = members[pair.second];
+    if (a.keeper != Keeper::drop || b.keeper != Keeper::drop) {
+      return false;
+    }
+    const Stretch<T>&one = drops[a.drop].stretch(), &two = drops[b.drop].stretch();
+    const auto *first = std::get_if<Flying<T>>(&one.motion), *second = std::get_if<Flying<T>>(&two.motion);
+    if (first == nullptr || second == nullptr || first->gravity != second->gravity) {
+      return false;
+    }
+    const Vec3<T> v =
+        formula::plus(formula::minus(first->from.v_WB, second->from.v_WB), T(two.begin - one.begin), first->gravity);
+    const T limit = one.end < two.end ? one.end : two.end;
+    const T meets = now + meeting_time(between, v, T(a.reach + b.reach + range));
+    pair.touches = false;
+    pair.exact = true;
+    pair.due = meets < limit ? meets : limit;
+    agenda.set(DueKind::pair, k, pair.due);
+    return true;
   }
 
   /// Nothing happens to a pair until its stones, or only their centres, have come nearer by a length.
