@@ -33,7 +33,7 @@ States states_of(const World& world) {
 /// What is compared, at three times.
 struct Course {
   States soon, later, last;  // at 0.1 s, at 0.2 s, after 5 s
-  double all_rest = NAN;     // [s] from when on, to a frame
+  double all_rest = scalar::unset<double>();     // [s] from when on, to a frame
 };
 constexpr int soon_frame = 6, later_frame = 12;
 
@@ -49,7 +49,7 @@ void advance_by_frames(World& world, int frames, Course& course) {
     for (std::size_t i = 0; rest && i < FullBoard::lines * FullBoard::lines; ++i) {
       rest = world.rests(i);
     }
-    course.all_rest = !rest ? NAN : course.all_rest == course.all_rest ? course.all_rest : frame / 60.0;
+    course.all_rest = !rest ? scalar::unset<double>() : course.all_rest == course.all_rest ? course.all_rest : frame / 60.0;
   }
   course.last = states_of(world);
 }
@@ -126,7 +126,7 @@ void add_curves(Race& race, const Effort& effort, Enter enter) {
       {.who = {"goishi", "Goishi", "ours", Kind::step,
                effort.thorough ? steps_of({240, 480, 960, 1920}) : steps_of({480})},
        .enter = [=](double step) { return enter(make_stepped_scene, step, std::min(inside, step)); }});
-  let_engines_enter(race, "board", effort.thorough ? steps_of({60, 240, 960}) : steps_of({240}), enter);
+  let_engines_enter(race, "board", effort.thorough ? steps_of({60, 240}) : steps_of({240}), enter);
 }
 
 /// The course of a whole run; what it is worth, and its deepest overlaps where they are asked for.

@@ -1,4 +1,6 @@
-/// Bullet, in float. Its constants suit bodies of about a metre, so it is told lengths in centimetres.
+/// Bullet, in float. Its constants suit bodies of about a metre and a kilogram, so it is told lengths in centimetres. It
+/// takes a matrix whose determinant is below 1e-7 as singular: with masses in kilograms a stone would have no gyroscopic
+/// torque. With masses in grams stones do not fall asleep.
 
 #include <btBulletDynamicsCommon.h>
 
@@ -15,8 +17,9 @@ namespace goishi::verify::bench::rivals {
 
 namespace {
 
-constexpr double unit = 100;     // of length in a metre
-constexpr double margin = 1e-4;  // [m] of the lens, the rest of it is its core
+constexpr double unit = 100;      // of length in a metre
+constexpr double mass_unit = 10;  // of mass in a kilogram
+constexpr double margin = 1e-4;   // [m] of the lens, the rest of it is its core
 
 btScalar number(double x) {
   return static_cast<btScalar>(x);
@@ -130,8 +133,8 @@ class BulletWorld final : public SteppedWorld {
 
   void add(const Setup& setup, const State<double>& start) {
     const Quat<double>& q = start.q_WB;
-    btRigidBody::btRigidBodyConstructionInfo info(number(setup.body.mass), nullptr, &lens_,
-                                                  scaled(setup.body.moments, unit * unit));
+    btRigidBody::btRigidBodyConstructionInfo info(number(mass_unit * setup.body.mass), nullptr, &lens_,
+                                                  scaled(setup.body.moments, mass_unit * unit * unit));
     info.m_startWorldTransform =
         btTransform({number(q.x()), number(q.y()), number(q.z()), number(q.w())}, scaled(start.p_WB, unit));
     info.m_restitution = number(setup.restitution);
@@ -176,7 +179,7 @@ Engine bullet() {
   return {.name = "bullet",
           .label = "Bullet, support function",
           .given =
-              "Bullet (float, lengths in cm): the lens as support function with a margin of 0.1 mm, a static plane, "
+              "Bullet (float, in cm and 0.1 kg): the lens as support function with a margin of 0.1 mm, a static plane, "
               "split impulses, no least speed for restitution, 10 sweeps",
           .make = [](const Setup& setup, double step) { return std::make_unique<BulletWorld>(setup, step); }};
 }

@@ -91,7 +91,7 @@ struct Engine {
   std::string given;  // a sentence: which shape, which settings of its own
   std::function<std::unique_ptr<World>(const Setup& setup, double setting)> make;
   Kind kind = Kind::step;
-  std::vector<double> settings = {};       // empty: the steps that are usual in a problem
+  std::vector<double> settings = {};       // from coarse to fine; empty: the steps that are usual in a problem
   std::vector<std::string> problems = {};  // that it can take part in; empty: all
 };
 

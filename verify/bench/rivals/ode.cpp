@@ -131,7 +131,7 @@ class OdeWorld final : public SteppedWorld {
     for (int k = 0; k < found; ++k) {
       dSurfaceParameters& surface = contacts[static_cast<std::size_t>(k)].surface;
       surface = {};
-      surface.mode = dContactBounce | dContactApprox1 | dContactRolling;
+      surface.mode = dContactBounce | dContactApprox1 | (setup_.rolling_resistance > 0 ? dContactRolling : 0);
       surface.mu = setup_.friction;
       surface.bounce = setup_.restitution;
       surface.bounce_vel = 0;
