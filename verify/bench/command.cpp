@@ -136,7 +136,9 @@ CLI::App* define_bench(CLI::App& app, BenchOptions& options) {
       ->delimiter(',')
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("NAME");
-  bench->add_option("--tier", options.tier, "quick: longer than half a minute; full: longer curves and more repeats, minutes")
+  bench
+      ->add_option("--tier", options.tier,
+                   "quick: longer than half a minute; full: longer curves and more repeats, minutes")
       ->check(CLI::IsMember({"quick", "full"}))
       ->capture_default_str();
   bench->add_option("--csv", options.csv_file, "write every point as CSV")->type_name("FILE");

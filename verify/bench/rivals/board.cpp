@@ -32,8 +32,8 @@ States states_of(const World& world) {
 
 /// What is compared, at three times.
 struct Course {
-  States soon, later, last;  // at 0.1 s, at 0.2 s, after 5 s
-  double all_rest = scalar::unset<double>();     // [s] from when on, to a frame
+  States soon, later, last;                   // at 0.1 s, at 0.2 s, after 5 s
+  double all_rest = scalar::unset<double>();  // [s] from when on, to a frame
 };
 constexpr int soon_frame = 6, later_frame = 12;
 
@@ -49,7 +49,9 @@ void advance_by_frames(World& world, int frames, Course& course) {
     for (std::size_t i = 0; rest && i < FullBoard::lines * FullBoard::lines; ++i) {
       rest = world.rests(i);
     }
-    course.all_rest = !rest ? scalar::unset<double>() : course.all_rest == course.all_rest ? course.all_rest : frame / 60.0;
+    course.all_rest = !rest                                ? scalar::unset<double>()
+                      : course.all_rest == course.all_rest ? course.all_rest
+                                                           : frame / 60.0;
   }
   course.last = states_of(world);
 }
