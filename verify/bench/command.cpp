@@ -129,7 +129,7 @@ CLI::App* define_bench(CLI::App& app, BenchOptions& options) {
       "bench",
       "Measures run time against error: every stepper and the exact flight, beside Odeint's steppers; every contact "
       "query, beside libccd and FCL; whole drops, beside the talk's loop; one stone and a whole board, beside "
-      "Bullet, ODE and Simbody.");
+      "Bullet, ODE, Siconos and Simbody.");
   bench->option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   bench->add_flag("--list", options.list, "list problems and contestants, and measure nothing");
   bench->add_option("--problem", options.problems, "only these problems, or all of a subject, separated by commas")

@@ -79,6 +79,7 @@ class Library {
 class OdeWorld final : public SteppedWorld {
  public:
   OdeWorld(const Setup& setup, double step) : SteppedWorld(step), setup_(setup), hull_(make_hull(setup.stone)) {
+    dRandSetSeed(0);  // it solves contacts in random order
     world_ = dWorldCreate();
     space_ = dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ);
     group_ = dJointGroupCreate(0);
