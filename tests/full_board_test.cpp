@@ -15,6 +15,13 @@ TEST(FullBoard, ComesToRestWithTheEnergyThatItsFiguresAreOf) {
   for (const State<double>& start : full.starts) {
     scene.add(full.stone, full.body, start);  // throws where stones overlap
   }
+  // Of the numbers drawn, measured 2026-11-30.
+  double upright = 0;
+  for (const State<double>& start : full.starts) {
+    upright += formula::symmetry_axis(start.q_WB).z();
+  }
+  EXPECT_NEAR(scene.energy(), 0.367582652532692, 1e-14);
+  EXPECT_NEAR(upright, 355.6431414280981, 1e-11);
   EXPECT_TRUE(scene.run_until_rest(3.0));
   EXPECT_NEAR(scene.energy(), 0.0848, 5e-5);  // [J]; the finest steps have 0.08480. All flat: 0.08438
   for (const StoneId id : scene.stones()) {
