@@ -86,17 +86,17 @@ template <Field T>
 ///     V = (π/3) [ 2 r₂² (3 C₃ r₂) + (k (3 P_x² + k²) + 6g r₁² + 12 r₁ r₂² C₂) ]
 ///
 /// The caps are π k (P_x² + k²/3), the rest is the band: π ∫ (r₁ + r₂ cos φ)² r₂ cos φ dφ. The first term, all that a ball has, is
-/// taken in the scalar Wide.
+/// taken in the scalar Wide, and so are the sum and its factor.
 /// Limits  b -> 0: `lens_volume`.   Error  all terms positive; claim MASS-2.   Proof  derivations/bevel_mass.cpp.
 template <Elementary T, Elementary Wide = T>
-[[nodiscard]] T bevelled_volume(const Stone<T>& stone, const BevelTerms<T>& terms) {
+[[nodiscard]] Wide bevelled_volume(const Stone<T>& stone, const BevelTerms<T>& terms) {
   const T& r1 = stone.bevel_major_radius;
   const T& r2 = stone.bevel_minor_radius;
   const T& k = terms.cap_height;
   const T caps = k * (T(3) * scalar::sq(stone.joint_radius) + scalar::sq(k));
   const T band = T(6) * r1 * (terms.half_band * r1 + T(2) * scalar::sq(r2) * terms.arc.c2);
   const Wide round = scalar::product<Wide>(r2, r2) * T(T(2) * r2 * terms.arc.three_c3);
-  return T(scalar::pi<T>() / T(3) * T(round + T(caps + band)));
+  return Wide(scalar::pi<Wide>() / Wide(3) * (round + T(caps + band)));
 }
 
 /// Surface area of the bevelled stone   [m²].

@@ -146,9 +146,10 @@ struct Distance {
   double place, time;
 };
 
-/// What a start elsewhere by some 1e-12 changes of the end, at least 1e-11: bounces magnify it, and round-off no less.
+/// What a start elsewhere by some 1e-12 changes of the end: bounces magnify it, and round-off no less. At least a twentieth of
+/// the tolerance, of which a step that ends elsewhere changes some.
 Distance changed_by_nudges(Context& context, const Scene& scene, const DropResult<double>& usual) {
-  Distance most{1e-11, 1e-11};
+  Distance most{scene.settings.tolerance / 20, scene.settings.tolerance / 20};
   for (int i = 0; i < 8; ++i) {
     Scene nudged = scene;
     const auto nudge = [&] { return 1.0 + context.uniform(-1e-12, 1e-12); };
