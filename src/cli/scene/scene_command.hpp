@@ -1,0 +1,11 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "scene/scene.hpp"
+
+namespace goishi::cli {
+
+void add_scene(CLI::App& app, SceneOptions& options);
+
+}  // namespace goishi::cli
