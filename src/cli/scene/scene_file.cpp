@@ -37,9 +37,7 @@ std::optional<std::string> typed(const Value& object, const char* key) {
   if (value == nullptr) {
     return std::nullopt;
   }
-  return value->IsString()   ? value->GetString()
-         : value->IsDouble() ? fmt::format("{}", value->GetDouble())
-                             : shown(*value);
+  return value->IsString() ? value->GetString() : shown(*value);
 }
 
 double number_in(const Value& object, const char* key, double otherwise) {
@@ -195,7 +193,7 @@ class SceneReader {
                                            .mass = typed(shape, "mass"),
                                            .density = typed(shape, "density"),
                                            .measured = measured != nullptr && measured->GetBool()});
-      require_settings(scene_.settings.drop, made.stone);
+      in_file(scene_.name, "/settings/stone_board", [&] { require_settings(scene_.settings.drop, made.stone); });
       scene_.solids.push_back(made);
       return solids_[key] = scene_.solids.size() - 1;
     });
@@ -330,9 +328,10 @@ std::string_view scene_schema() {
 }
 
 std::runtime_error told_in_file(std::string_view file, std::string_view path, const InvalidArgument& error) {
-  constexpr std::pair<std::string_view, std::string_view> names[] = {{"outer_width", "width"}, {"v_WB", "velocity"},
-                                                                     {"w_WB", "spin_world"},   {"P_W", "impulse"},
-                                                                     {"p_W", "offset"},        {"time", "at"}};
+  constexpr std::pair<std::string_view, std::string_view> names[] = {
+      {"outer_width", "width"}, {"spacing_x", "spacing"}, {"spacing_y", "spacing"}, {"border_x", "border"},
+      {"border_y", "border"},   {"i", "point"},           {"j", "point"},           {"v_WB", "velocity"},
+      {"w_WB", "spin_world"},   {"P_W", "impulse"},       {"p_W", "offset"},        {"time", "at"}};
   std::string argument = error.argument();
   for (const auto& [ours, in_file] : names) {
     argument = argument == ours ? in_file : argument;

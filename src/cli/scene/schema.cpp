@@ -44,6 +44,12 @@ std::string missing_in(const Value& value, const Value& names) {
   return fmt::format("{}", fmt::join(missing, ", "));
 }
 
+/// "a, b or c"
+std::string one_of(const std::vector<std::string_view>& names) {
+  const auto last = names.end() - 1;
+  return names.size() == 1 ? std::string(*last) : fmt::format("{} or {}", fmt::join(names.begin(), last, ", "), *last);
+}
+
 bool keeps_to(const Value& value, const Value& schema) {
   const rapidjson::SchemaDocument compiled(schema);
   rapidjson::SchemaValidator validator(compiled);
@@ -69,19 +75,20 @@ std::string rule_of(const Value& schema, std::string_view keyword, const Value& 
     }
   }
   if (keyword == "additionalProperties") {
-    return fmt::format("must be one of {}", fmt::join(names_in(schema["properties"]), ", "));
+    return fmt::format("must be {}", one_of(names_in(schema["properties"])));
   }
   if (keyword == "enum") {
-    return fmt::format("must be {}", fmt::join(names_in(wanted), " or "));
+    return fmt::format("must be {}", one_of(names_in(wanted)));
   }
   if (keyword == "minimum" || keyword == "maximum") {
     return fmt::format("must be at {} {}", keyword == "minimum" ? "least" : "most", shown(wanted));
   }
   if (keyword.starts_with("min") || keyword.starts_with("max")) {  // …Items, …Properties
-    return fmt::format("must have at {} {} members", keyword.starts_with("min") ? "least" : "most", shown(wanted));
+    return fmt::format("must have at {} {} member{}", keyword.starts_with("min") ? "least" : "most", shown(wanted),
+                       wanted.GetInt() == 1 ? "" : "s");
   }
   if (keyword == "pattern") {
-    return fmt::format("must match {}", text_in(wanted));
+    return fmt::format("must be of the form {}", text_in(wanted));
   }
   if (keyword == "allOf") {
     for (const Value& part : wanted.GetArray()) {
@@ -124,6 +131,9 @@ void refuse_twins(std::string_view file, const Value& value, const rapidjson::Po
 std::string shown(const Value& value) {
   if (value.IsString()) {
     return std::string(text_in(value).substr(0, 60));
+  }
+  if (value.IsDouble()) {
+    return fmt::format("{}", value.GetDouble());
   }
   rapidjson::StringBuffer text;
   rapidjson::Writer<rapidjson::StringBuffer> writer(text);
