@@ -2,6 +2,7 @@
 
 #include "tests/cli_scene_test.hpp"
 
+#include <map>
 #include <numbers>
 #include <random>
 
@@ -249,6 +250,68 @@ TEST_F(CliScene, TwoStonesMeet) {
       "stone_stone": {"restitution": 0}}, "stones": [{"position": [-0.05, 0, 0.1], "velocity": [1, 0, 0]},
       {"position": [0, 0, 0.1]}], "end": {"time": 0.1})");
   EXPECT_NEAR(vector_of(final_of(softer, 1), "velocity").x(), 0.5, 1e-6);
+}
+
+TEST_F(CliScene, TheLawsOfTwoStonesAreThoseAskedFor) {
+  // Rim on rim, beside each other's middles.
+  const auto meet = [&](const std::string& settings) {
+    return played_with(R"("settings": {"gravity": [0, 0, 0], "step": 0.002, "impact_speed": 0.005, )" + settings +
+                       R"(}, "stones": [{"position": [-0.05, 0, 0.1], "velocity": [1, 0, 0]},
+                          {"position": [0, 0.005, 0.1]}], "end": {"time": 0.1})");
+  };
+  const auto smooth = meet(R"("stone_stone": {"friction": 0})"), usual = meet(R"("stone_stone": {})");
+  EXPECT_NEAR(vector_of(final_of(smooth, 1), "spin_body").z(), 0, 1e-9);
+  EXPECT_GT(std::abs(vector_of(final_of(usual, 1), "spin_body").z()), 1);
+  const auto time_of_impact = [](const rapidjson::Document& scene) {
+    for (const Value& event : scene["events"].GetArray()) {
+      if (event["kind"] == "impact") {
+        return event["time"].GetDouble();
+      }
+    }
+    return 0.0;
+  };
+  // A millimetre apart they touch, along a normal that is as far from x as the middles from their line.
+  const double earlier = time_of_impact(usual) - time_of_impact(meet(R"("clearance": 0.001)"));
+  EXPECT_NEAR(earlier, 0.001, 1e-4);
+}
+
+/// Three stones that fall on each other: what each setting of clusters changes.
+TEST_F(CliScene, TheSettingsOfClustersAreThoseAskedFor) {
+  const auto fall = [&](const std::string& settings) {
+    const auto scene = played_with(R"("settings": {"tolerance": 1e-4)" + settings + R"(},
+      "groups": [{"points": "2x1", "spacing": [0.0215, 0.0215], "from": 0.005},
+                 {"points": "1x1", "from": 0.02, "random": {"seed": 1, "position": 0.001}}], "end": {"time": 0.5})");
+    const Value& counters = scene["final"]["counters"];
+    return std::map<std::string, double>{{"impacts", counters["pair_impacts"].GetDouble()},
+                                         {"steps", counters["steps"].GetDouble()},
+                                         {"sweeps", counters["sweeps"].GetDouble()}};
+  };
+  auto usual = fall(""), fine = fall(R"(, "step": 1e-4)"), exact = fall(R"(, "solver_tolerance": 1e-8)"),
+       plastic = fall(R"(, "impact_speed": 10)"), patient = fall(R"(, "leaving_time": 0.4)");
+  EXPECT_GT(usual["impacts"], 0);
+  EXPECT_GT(fine["steps"], 5 * usual["steps"]);
+  EXPECT_GT(exact["sweeps"] / exact["steps"], 1.5 * usual["sweeps"] / usual["steps"]);
+  EXPECT_EQ(plastic["impacts"], 0);
+  EXPECT_GT(patient["steps"], 2 * usual["steps"]);
+}
+
+/// The width of the finished stone, or that of its lens.
+TEST_F(CliScene, AMeasuredStoneIsWider) {
+  const auto mass = [&](const std::string& more) {
+    const std::string text = printed({"scene", file(R"({"stone": {"width": 0.022, "height": 0.0092, "bevel": 0.001)" +
+                                                    more + R"(}, "stones": [{"position": [0, 0, 0.0046]}]})")});
+    return text.substr(text.find("\nmass "), 19);
+  };
+  const auto printed_mass = [&](const Words& more) {
+    const std::string text =
+        printed(Words{"drop", "--width", "22mm", "--height", "9.2mm", "--bevel", "1mm", "--from", "4.6mm"} + more);
+    return text.substr(text.find("\nmass "), 19);
+  };
+  EXPECT_EQ(mass(""), printed_mass({}));
+  const auto inertia = parsed(
+      printed({"inertia", "--width", "22mm", "--height", "9.2mm", "--bevel", "1mm", "--measured", "--format", "json"}));
+  EXPECT_NEAR(std::stod(mass(R"(, "measured": true)").substr(6)), inertia["mass"].GetDouble(), 1e-7);
+  EXPECT_NE(mass(""), mass(R"(, "measured": true)"));
 }
 
 }  // namespace
