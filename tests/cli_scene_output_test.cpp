@@ -8,7 +8,7 @@ namespace goishi::cli_test {
 
 namespace {
 
-std::vector<std::string> rows_of(const std::string& text) {
+std::vector<std::string> csv_rows(const std::string& text) {
   std::vector<std::string> rows;
   std::istringstream in(text);
   for (std::string row; std::getline(in, row);) {
@@ -132,6 +132,24 @@ TEST_F(CliScene, ATimeIsAnEnd) {
             std::string::npos);
 }
 
+TEST_F(CliScene, AHandThatStandsStillRests) {
+  const std::string held = R"("stones": [{"position": [0, 0, 0.1]}], "actions": [{"at": 0, "hold":
+      {"id": 0, "velocity": [0, 0, 0.1], "duration": 0.5}}], "end": )";
+  for (const std::string end : {R"({"time": 0.6})", R"({"rest_within": 0.6})"}) {
+    EXPECT_STREQ(played_with(held + end)["final"]["status"].GetString(), "rest") << end;
+  }
+  EXPECT_STREQ(played_with(held + R"({"time": 0.4})")["final"]["status"].GetString(), "moving");
+  EXPECT_EQ(run({"scene", file_with(held + R"({"rest_within": 0.4})")}).status, 1);
+}
+
+TEST_F(CliScene, TheTextTellsOfPairsAndOfTheFloorBoard) {
+  const std::string text = printed({"scene", file_with(R"("board": {"kind": "floor-board", "standard": "nihon-kiin"},
+      "settings": {"gravity": [0, 0, 0], "step": 0.002, "impact_speed": 0.005}, "stones":
+      [{"position": [-0.05, 0, 0.1], "velocity": [1, 0, 0]}, {"position": [0, 0, 0.1]}], "end": {"time": 0.1})")});
+  EXPECT_NE(text.find("\n2 stones on the floor board, nihon-kiin, 19 lines\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("; 2 of these impacts are those of two stones, told of each.\n"), std::string::npos) << text;
+}
+
 TEST_F(CliScene, WhatDoesNotRestInTimeSaysSo) {
   const Words words = {"scene",
                        file_with(R"("groups": [{"points": "2x1", "from": 0.05}], "end": {"rest_within": 0.02})")};
@@ -156,7 +174,7 @@ TEST_F(CliScene, ASeriesHasARowForEachStone) {
       {"at": 0.5, "remove": {"id": 0}}], "end": {"time": 0.6})");
   const std::string csv = (work() / "series.csv").string();
   const auto answer = parsed(printed({"scene", scene, "--format", "json", "--series", "7", "--csv", csv}));
-  const std::vector<std::string> rows = rows_of(contents(csv));
+  const std::vector<std::string> rows = csv_rows(contents(csv));
   EXPECT_EQ(rows[0],
             "time_s,stone,position_x_m,position_y_m,position_z_m,attitude_w,attitude_x,attitude_y,attitude_z,"
             "velocity_x_m_s,velocity_y_m_s,velocity_z_m_s,spin_body_x_rad_s,spin_body_y_rad_s,spin_body_z_rad_s,"
@@ -204,7 +222,7 @@ TEST_F(CliScene, HelpIsTrue) {
   EXPECT_NE(printed({"--help"}).find("\n  goishi scene board.json\n"), std::string::npos);
   int commands = 0;
   fs::copy(folder() / "examples/hand.json", work() / "board.json");
-  for (const std::string& row : rows_of(help)) {
+  for (const std::string& row : csv_rows(help)) {
     if (row.starts_with("  goishi scene")) {
       const Words words = words_of(row.substr(std::string("  goishi ").size()));
       EXPECT_EQ(run(words, "cd '" + work().string() + "' && ").status, 0) << row;

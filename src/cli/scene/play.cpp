@@ -74,7 +74,11 @@ long long ScenePlay::moving() const {
   const std::vector<StoneId> stones = scene_.stones();
   return std::ranges::count_if(stones, [this](StoneId id) {
     const StoneMode mode = scene_.mode(id);
-    return mode != StoneMode::rest && mode != StoneMode::held;
+    if (mode == StoneMode::held) {
+      const State<double> state = scene_.state(id);
+      return state.v_WB != Vec3<double>::Zero() || state.L_W != Vec3<double>::Zero();
+    }
+    return mode != StoneMode::rest;
   });
 }
 

@@ -33,7 +33,7 @@ class ScenePlay {
   /// How many stones there were in all.
   [[nodiscard]] std::size_t count() const { return solids_.size(); }
 
-  /// How many stones move by themselves.
+  /// How many stones move, by themselves or in a hand.
   [[nodiscard]] long long moving() const;
 
   /// What hands have done to other stones   [J].

@@ -1,4 +1,6 @@
 #pragma once
+/// \file
+/// The command line of `goishi scene`.
 
 #include <CLI/CLI.hpp>
 

@@ -284,7 +284,7 @@ class SceneReader {
       if (name == "at") {
         continue;
       }
-      action.path = at + "/" + name;
+      action.path = fmt::format("{}/{}", at, name);
       if (name == "impulse") {
         action.what = ImpulseAction{id_in(what), vector_in(what, "impulse"), vector_in(what, "offset")};
       } else if (name == "hold") {
