@@ -387,7 +387,7 @@ TEST_F(CliError, Formats) {
 }
 
 TEST_F(CliError, Usage) {
-  expect_error({}, "a command is needed: table, inertia, spin, contact, drop, mesh or body");
+  expect_error({}, "a command is needed: table, inertia, spin, contact, drop, scene, mesh or body");
   expect_error({"bake"}, "not expected: bake");
   expect_error({"--bake"}, "not expected: --bake");
   expect_error({"table", "--bake"}, "not expected: --bake");

@@ -12,7 +12,7 @@ namespace goishi::cli {
 namespace {
 
 /// At a time that was asked for: a stone at rest stays.
-DropSample sample_at(const DropScene& scene, const DropResult<double>& result, const std::string& text) {
+Sample sample_at(const DropScene& scene, const DropResult<double>& result, const std::string& text) {
   const double time = to_double("at", parse("at", text, measure::time), "a drop", drop_order);
   require(0 <= time, "at", time, "must not be before the start");
   const bool rests = result.status == DropStatus::rest || result.status == DropStatus::rest_leaning;
@@ -44,7 +44,7 @@ int run_drop(const DropOptions& options) {
   const int rows = options.series ? parse_whole("series", *options.series, 2, most_drop_rows) : 0;
   Drop<double> drop = drop_of(scene);
   const DropResult<double> result = followed(drop);
-  std::optional<DropSample> asked;
+  std::optional<Sample> asked;
   if (options.at) {
     asked = sample_at(scene, result, *options.at);
   }

@@ -1,22 +1,14 @@
 #include "drop_motion.hpp"
 
-#include <cmath>
-#include <numbers>
-
 namespace goishi::cli {
 
-DropSample sample_of(const DropScene& scene, double time, const State<double>& state) {
-  const Vec3<double> u = formula::symmetry_axis(state.q_WB);
-  return {.time = time,
-          .state = state,
-          .w_WB_B = formula::angular_velocity_B(state, scene.body),
-          .tilt = std::atan2(std::hypot(u.x(), u.y()), u.z()) * 180 / std::numbers::pi,
-          .energy = formula::energy(state, scene.body, scene.settings.gravity)};
+Sample sample_of(const DropScene& scene, double time, const State<double>& state) {
+  return sample_of(time, state, scene.solid.body, scene.settings.gravity);
 }
 
 Drop<double> drop_of(const DropScene& scene) {
-  return scene.board ? Drop<double>(scene.stone, scene.body, scene.start, *scene.board, scene.settings)
-                     : Drop<double>(scene.stone, scene.body, scene.start, scene.settings);
+  return scene.board ? Drop<double>(scene.solid.stone, scene.solid.body, scene.start, *scene.board, scene.settings)
+                     : Drop<double>(scene.solid.stone, scene.solid.body, scene.start, scene.settings);
 }
 
 std::string_view to_string(Touched touched) {
@@ -31,8 +23,7 @@ Touched touched_at(const DropScene& scene, const Event<double>& event) {
   if (!scene.board) {
     return Touched::plane;
   }
-  const bool low = event.contact_W.z() < scene.board->floor / 2;
-  return low && event.other_feature == OtherFeature::surface ? Touched::floor : Touched::board;
+  return is_on_floor(*scene.board, event.contact_W, event.other_feature) ? Touched::floor : Touched::board;
 }
 
 Touched touched_last(const DropScene& scene, const DropResult<double>& drop) {
@@ -47,9 +38,9 @@ Touched touched_last(const DropScene& scene, const DropResult<double>& drop) {
   return Touched::floor;
 }
 
-std::vector<DropSample> samples_of(const DropScene& scene, const std::vector<double>& times) {
+std::vector<Sample> samples_of(const DropScene& scene, const std::vector<double>& times) {
   Drop<double> drop = drop_of(scene);
-  std::vector<DropSample> samples;
+  std::vector<Sample> samples;
   samples.reserve(times.size());
   for (const double time : times) {
     do {
@@ -60,7 +51,7 @@ std::vector<DropSample> samples_of(const DropScene& scene, const std::vector<dou
   return samples;
 }
 
-std::vector<DropSample> series_of(const DropScene& scene, double end, int rows) {
+std::vector<Sample> series_of(const DropScene& scene, double end, int rows) {
   std::vector<double> times(static_cast<std::size_t>(rows));
   for (int row = 0; row < rows; ++row) {
     times[static_cast<std::size_t>(row)] = row == rows - 1 ? end : end * row / (rows - 1);

@@ -6,19 +6,11 @@
 
 #include "compiled/drop.hpp"
 #include "drop_scene.hpp"
+#include "sample.hpp"
 
 namespace goishi::cli {
 
-/// What is printed of a state.
-struct DropSample {
-  double time = 0;  // [s]
-  State<double> state;
-  Vec3<double> w_WB_B;  // [rad/s]
-  double tilt = 0;      // [°] of the symmetry axis from the vertical, 0 … 180: a stone turned over lies at 180
-  double energy = 0;    // [J] zero at the height of the surface
-};
-
-[[nodiscard]] DropSample sample_of(const DropScene& scene, double time, const State<double>& state);
+[[nodiscard]] Sample sample_of(const DropScene& scene, double time, const State<double>& state);
 
 /// The drop, about to begin.
 [[nodiscard]] Drop<double> drop_of(const DropScene& scene);
@@ -34,9 +26,9 @@ enum class Touched { nothing, board, plane, floor };
 
 /// The drop once more, with its state at times that rise. No motion is kept: it goes from one to the next, which changes
 /// no bit of it.
-[[nodiscard]] std::vector<DropSample> samples_of(const DropScene& scene, const std::vector<double>& times);
+[[nodiscard]] std::vector<Sample> samples_of(const DropScene& scene, const std::vector<double>& times);
 
 /// At so many times, equally spaced from the start to the end.
-[[nodiscard]] std::vector<DropSample> series_of(const DropScene& scene, double end, int rows);
+[[nodiscard]] std::vector<Sample> series_of(const DropScene& scene, double end, int rows);
 
 }  // namespace goishi::cli

@@ -102,18 +102,11 @@ Quat<double> parse_attitude_of(const Text& tilt, const Text& tilt_axis) {
   Vec3<Number> axis(0, 1, 0);
   if (tilt_axis) {
     axis = parse_vector("tilt-axis", *tilt_axis, measure::ratio);
-    const Number size = axis.norm();
-    if (!(0 < size)) {
+    if (axis == Vec3<Number>::Zero()) {
       throw InvalidArgument("tilt-axis", *tilt_axis, "must not be zero");
     }
-    axis /= size;
   }
-  static const Number right_angle = 2 * atan(Number(1));
-  const Number half = degrees / 180 * right_angle;
-  // 90 and 180 degrees are typed for their exact cosines.
-  const Number c = abs(degrees) == 180 ? Number(0) : Number(cos(half));
-  const Vec3<Number> s = sin(half) * axis;
-  return {c.convert_to<double>(), s.x().convert_to<double>(), s.y().convert_to<double>(), s.z().convert_to<double>()};
+  return turned(degrees, axis);
 }
 
 enum class On { board, floor_board, plane };
@@ -160,7 +153,9 @@ void check_combination(const DropOptions& options, On on) {
   only_for("patch-radius", options.patch_radius, FrictionModel::coulomb_contensou);
 }
 
-DropSettings<double> settings_of(const DropOptions& options, const Stone<double>& stone, std::string& until) {
+}  // namespace
+
+DropSettings<double> drop_settings(const DropOptions& options) {
   DropSettings<double> settings;
   set(settings.restitution, "restitution", options.restitution, measure::ratio);
   if (options.friction && trimmed(*options.friction) == "inf") {  // nothing slips
@@ -176,10 +171,10 @@ DropSettings<double> settings_of(const DropOptions& options, const Stone<double>
   set(settings.patch_radius, "patch-radius", options.patch_radius, measure::length);
   settings.law = parse_law(options.law);
   set(settings.tolerance, "tolerance", options.tolerance, measure::ratio);
-  until = parse_until(options.until, settings);
-  require_settings(settings, stone);
   return settings;
 }
+
+namespace {
 
 State<double> start_of(const DropOptions& options, const RigidBody<double>& body) {
   const Vec3<double> nothing(0.0, 0.0, 0.0);
@@ -207,29 +202,44 @@ std::string name_of(ImpactLaw law) {
   return name;
 }
 
-DropScene scene_of(const DropOptions& options) {
-  const On on = parse_on(options.on);
-  check_combination(options, on);
-  DropScene scene;
-  set_ground(scene, on, parse_standard(options.stone.standard));
-  const Subject subject = subject_of(options.stone);
-  scene.title = described(subject);
+Quat<double> turned(const Number& degrees, const Vec3<Number>& axis) {
+  static const Number right_angle = 2 * atan(Number(1));
+  const Number half = degrees / 180 * right_angle;
+  // 90 and 180 degrees are typed for their exact cosines.
+  const Number c = abs(degrees) == 180 ? Number(0) : Number(cos(half));
+  const Vec3<Number> s = sin(half) / axis.norm() * axis;
+  return {c.convert_to<double>(), s.x().convert_to<double>(), s.y().convert_to<double>(), s.z().convert_to<double>()};
+}
+
+SolidStone solid_stone(const StoneOptions& options) {
+  const Subject subject = subject_of(options);
   const Stone<Number> stone = stone_of(subject);
   static_cast<void>(in_drop("width", stone.width));
   static_cast<void>(in_drop("height", stone.height));
   static_cast<void>(in_drop("bevel", stone.bevel));
-  scene.stone = stone_cast<double>(stone);
-  scene.settings = settings_of(options, scene.stone, scene.until);
-  const MassProperties<Number> properties = properties_of(stone, options.stone, subject.assumed_density);
-  if (options.stone.density) {
+  const MassProperties<Number> properties = properties_of(stone, options, subject.assumed_density);
+  if (options.density) {
     static_cast<void>(in_drop("density", properties.density));
   }
   const Moments<double> moments{
       .axial = to_double("axial moment", properties.moments.axial, "a drop", 5 * drop_order),
       .transverse = to_double("transverse moment", properties.moments.transverse, "a drop", 5 * drop_order)};
-  scene.body = make_rigid_body(in_drop("mass", properties.mass), moments);
-  scene.density_assumed = assumes_density(options.stone);
-  scene.start = start_of(options, scene.body);
+  return {.title = described(subject),
+          .density_assumed = assumes_density(options),
+          .stone = stone_cast<double>(stone),
+          .body = make_rigid_body(in_drop("mass", properties.mass), moments)};
+}
+
+DropScene scene_of(const DropOptions& options) {
+  const On on = parse_on(options.on);
+  check_combination(options, on);
+  DropScene scene;
+  set_ground(scene, on, parse_standard(options.stone.standard));
+  scene.solid = solid_stone(options.stone);
+  scene.settings = drop_settings(options);
+  scene.until = parse_until(options.until, scene.settings);
+  require_settings(scene.settings, scene.solid.stone);
+  scene.start = start_of(options, scene.solid.body);
   return scene;
 }
 

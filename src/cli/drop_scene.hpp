@@ -14,11 +14,27 @@
 
 namespace goishi::cli {
 
-struct DropScene {
+/// A stone in double, as the library drops it, and what it weighs.
+struct SolidStone {
   std::string title;  // "The white stone of size 33, sharp"
   bool density_assumed = false;
   Stone<double> stone;
   RigidBody<double> body;
+};
+
+/// InvalidArgument for whatever was typed wrong.
+/// Domain  --size, or --width and --height, were given.
+[[nodiscard]] SolidStone solid_stone(const StoneOptions& options);
+
+/// How a stone is dropped; all but when it ends.
+[[nodiscard]] DropSettings<double> drop_settings(const DropOptions& options);
+
+/// The attitude of a stone that lies flat turned by degrees about an axis.
+/// Domain  an axis that is not zero.
+[[nodiscard]] Quat<double> turned(const Number& degrees, const Vec3<Number>& axis);
+
+struct DropScene {
+  SolidStone solid;
   std::optional<Board<double>> board;  // none: the plane z = 0
   std::string ground;                  // "board", "floor board, nihon-kiin", "plane z = 0"
   State<double> start;

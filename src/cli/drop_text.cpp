@@ -18,29 +18,29 @@ namespace {
 /// A column of numbers, in the unit that people read.
 struct Column {
   std::string_view name;
-  double (*value)(const DropSample&);
+  double (*value)(const Sample&);
   double scale;
   int digits;  // significant, of the greatest
   int most;    // decimals, at most
 };
 
 constexpr std::array<Column, 6> columns = {{
-    {"time [s]", [](const DropSample& s) { return s.time; }, 1, 7, 9},
-    {"height [mm]", [](const DropSample& s) { return s.state.p_WB.z(); }, 1e3, 6, 9},
-    {"tilt [°]", [](const DropSample& s) { return s.tilt; }, 1, 6, 3},
-    {"speed [m/s]", [](const DropSample& s) { return s.state.v_WB.norm(); }, 1, 5, 5},
-    {"spin [rad/s]", [](const DropSample& s) { return s.w_WB_B.norm(); }, 1, 5, 3},
-    {"energy [µJ]", [](const DropSample& s) { return s.energy; }, 1e6, 6, 9},
+    {"time [s]", [](const Sample& s) { return s.time; }, 1, 7, 9},
+    {"height [mm]", [](const Sample& s) { return s.state.p_WB.z(); }, 1e3, 6, 9},
+    {"tilt [°]", [](const Sample& s) { return s.tilt; }, 1, 6, 3},
+    {"speed [m/s]", [](const Sample& s) { return s.state.v_WB.norm(); }, 1, 5, 5},
+    {"spin [rad/s]", [](const Sample& s) { return s.w_WB_B.norm(); }, 1, 5, 3},
+    {"energy [µJ]", [](const Sample& s) { return s.energy; }, 1e6, 6, 9},
 }};
 
-double value_of(const Column& column, const DropSample& sample) {
+double value_of(const Column& column, const Sample& sample) {
   return column.scale * column.value(sample);
 }
 
 /// As many decimals for the whole column as show its greatest number with the digits asked for.
-int decimals_of(const Column& column, const std::vector<DropSample>& samples) {
+int decimals_of(const Column& column, const std::vector<Sample>& samples) {
   double greatest = 0;
-  for (const DropSample& sample : samples) {
+  for (const Sample& sample : samples) {
     greatest = std::max(greatest, std::abs(value_of(column, sample)));
   }
   const int order = 0 < greatest ? static_cast<int>(std::floor(std::log10(greatest))) : 0;
@@ -84,40 +84,52 @@ std::string friction_of(const DropSettings<double>& settings) {
 
 std::string header_of(const DropScene& scene) {
   const Vec3<double>& g = scene.settings.gravity;
-  // Without gravity the lengths, which are all that is shown of what is filled in, are the same.
-  const DropSettings<double> s = filled(scene.settings, scene.stone, 0 < g.norm() ? g.norm() : 1);
-  const std::string gravity = g.x() == 0 && g.y() == 0 && g.z() <= 0
-                                  ? fmt::format("{:.6g}", g.z() == 0 ? 0 : -g.z())
-                                  : fmt::format("({:.6g}, {:.6g}, {:.6g})", g.x(), g.y(), g.z());
   return fmt::format(
       "{}, dropped on the {}\n"
       "mass {:.6g} kg{}, gravity {} m/s²\n"
-      "restitution {:.6g} ({}), {}\n"
-      "rolling resistance {:.6g} m, pivot radius {:.6g} m; tolerance {:.6g}; until {}\n\n",
-      scene.title, scene.ground, scene.body.mass, scene.density_assumed ? " (density assumed)" : "", gravity,
-      s.restitution, name_of(s.law), friction_of(s), *s.rolling_resistance, *s.pivot_radius, s.tolerance, scene.until);
+      "{}; tolerance {:.6g}; until {}\n\n",
+      scene.solid.title, scene.ground, scene.solid.body.mass, scene.solid.density_assumed ? " (density assumed)" : "",
+      text_of_gravity(g), text_of_laws(scene.settings, scene.solid.stone), scene.settings.tolerance, scene.until);
 }
 
 /// What was computed, but for what was not.
 std::string cost_of(const DropCounters& counters) {
-  const std::pair<int, std::string_view> counts[] = {{counters.impacts, "impact"},
-                                                     {counters.root_steps, "root step"},
-                                                     {counters.separations, "separation"},
-                                                     {counters.contact_evaluations, "contact evaluation"},
-                                                     {counters.steps_accepted, "step"},
-                                                     {counters.steps_rejected, "rejected step"},
-                                                     {counters.evaluations_located, "located evaluation"},
-                                                     {counters.edge_impacts, "micro-impact"}};
+  return text_of_counts({{counters.impacts, "impact"},
+                         {counters.root_steps, "root step"},
+                         {counters.separations, "separation"},
+                         {counters.contact_evaluations, "contact evaluation"},
+                         {counters.steps_accepted, "step"},
+                         {counters.steps_rejected, "rejected step"},
+                         {counters.evaluations_located, "located evaluation"},
+                         {counters.edge_impacts, "micro-impact"}});
+}
+
+}  // namespace
+
+std::string text_of_gravity(const Vec3<double>& g) {
+  return g.x() == 0 && g.y() == 0 && g.z() <= 0 ? fmt::format("{:.6g}", g.z() == 0 ? 0 : -g.z())
+                                                : fmt::format("({:.6g}, {:.6g}, {:.6g})", g.x(), g.y(), g.z());
+}
+
+std::string text_of_laws(const DropSettings<double>& settings, const Stone<double>& stone) {
+  const double g = settings.gravity.norm();
+  // Without gravity the lengths, which are all that is shown of what is filled in, are the same.
+  const DropSettings<double> s = filled(settings, stone, 0 < g ? g : 1);
+  return fmt::format(
+      "restitution {:.6g} ({}), {}\n"
+      "rolling resistance {:.6g} m, pivot radius {:.6g} m",
+      s.restitution, name_of(s.law), friction_of(s), *s.rolling_resistance, *s.pivot_radius);
+}
+
+std::string text_of_counts(const std::vector<std::pair<long long, std::string_view>>& counts, std::string_view plural) {
   std::vector<std::string> parts;
   for (const auto& [count, name] : counts) {
     if (0 < count) {
-      parts.push_back(fmt::format("{} {}{}", count, name, count == 1 ? "" : "s"));
+      parts.push_back(fmt::format("{} {}{}", count, name, count == 1 ? "" : plural));
     }
   }
   return parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", "));
 }
-
-}  // namespace
 
 std::string end_of(const DropScene& scene, const DropResult<double>& drop) {
   const std::string when = fmt::format("{:.6g} s", drop.time);
@@ -145,8 +157,8 @@ std::string end_of(const DropScene& scene, const DropResult<double>& drop) {
   return fmt::format("given up after {}: {}", when, to_string(drop.status));
 }
 
-std::string to_block(const DropScene& scene, const DropResult<double>& drop, const std::optional<DropSample>& asked) {
-  std::vector<DropSample> samples;
+std::string to_block(const DropScene& scene, const DropResult<double>& drop, const std::optional<Sample>& asked) {
+  std::vector<Sample> samples;
   std::vector<std::pair<std::string, std::string>> names;
   const auto add_asked = [&] {
     samples.push_back(*asked);

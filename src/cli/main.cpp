@@ -23,6 +23,7 @@
 #include "inertia.hpp"
 #include "mesh_command.hpp"
 #include "report.hpp"
+#include "scene/scene_command.hpp"
 #include "spin.hpp"
 #include "table.hpp"
 #include "version.hpp"
@@ -34,7 +35,7 @@ namespace {
 constexpr int bad_usage = 2;
 
 constexpr const char* about =
-    "Shape, mass, moments of inertia, free rotation, contacts and drops of Go stones,\n"
+    "Shape, mass, moments of inertia, free rotation, contacts, drops and scenes of Go stones,\n"
     "and their surfaces and bodies as files for other programs.\n"
     "The program computes with 50 digits, so that every digit it prints is right; what no\n"
     "closed form gives, drops, times of impact and methods that take steps, in double.";
@@ -53,6 +54,7 @@ constexpr const char* examples =
     "  goishi spin --size 33 --spin 0,5,60 --time 2.5\n"
     "  goishi contact --size 33 --position 0,0,0.01\n"
     "  goishi drop --size 33 --bevel 1mm --from 5cm --tilt 20\n"
+    "  goishi scene board.json\n"
     "  goishi mesh --size 33 --bevel 1mm --output stone.glb\n"
     "  goishi body --size 33 --bevel 1mm --output stone.urdf";
 
@@ -265,6 +267,7 @@ int run(int count, char** arguments) {
   SpinOptions spin;
   ContactOptions contact;
   DropOptions drop;
+  SceneOptions scene;
   MeshOptions mesh;
   BodyOptions body;
   CLI::App app(about, "goishi");
@@ -276,6 +279,7 @@ int run(int count, char** arguments) {
   add_spin(app, spin);
   add_contact(app, contact);
   add_drop(app, drop);
+  add_scene(app, scene);
   add_mesh(app, mesh);
   add_body(app, body);
   try {
@@ -292,7 +296,7 @@ int run(int count, char** arguments) {
     return 0;
   }
   if (app.get_subcommands().empty()) {
-    throw std::runtime_error("a command is needed: table, inertia, spin, contact, drop, mesh or body");
+    throw std::runtime_error("a command is needed: table, inertia, spin, contact, drop, scene, mesh or body");
   }
   const CLI::App& command = *app.get_subcommands().front();
   try {
@@ -310,6 +314,9 @@ int run(int count, char** arguments) {
     }
     if (command.get_name() == "drop") {
       return run_drop(drop);
+    }
+    if (command.get_name() == "scene") {
+      return run_scene(scene);
     }
     return command.get_name() == "mesh" ? run_mesh(mesh) : run_body(body);
   } catch (const InvalidArgument& error) {
