@@ -383,19 +383,14 @@ class Scene {
     require_apart(separation(stone, pose, world.board).gap, "the board");
     require_apart(separation(stone, pose, floor_of(world.board)).gap, "the floor");
     const T reach = detail::greatest_reach(stone);
-    for (std::size_t j = 0; j < world.members.size(); ++j) {
-      const detail::Member<T>& other = world.members[j];
-      if (!has(StoneId(j))) {
-        continue;
-      }
+    world.near(start.p_WB, reach, [&](std::size_t j) {
       const State<T> there = state(StoneId(j));
       const Vec3<T> between = formula::minus(start.p_WB, there.p_WB);
-      if (scalar::sq(T(reach + other.reach)) < formula::dot(between, between)) {
-        continue;
+      if (formula::dot(between, between) <= scalar::sq(T(reach + world.members[j].reach))) {
+        require_apart(separation(stone, pose, world.members[j].stone, Pose<T>{there.p_WB, there.q_WB}).gap, "stone ",
+                      std::to_string(j));
       }
-      require_apart(separation(stone, pose, other.stone, Pose<T>{there.p_WB, there.q_WB}).gap, "stone ",
-                    std::to_string(j));
-    }
+    });
   }
 
   detail::SceneCourse<T> course_;

@@ -57,7 +57,20 @@ class Grid {
   /// All stones in the cell of another one and in the eight around it, that one included.
   template <class Places, class F>
   void near(std::size_t i, Places&& places, F&& f) const {
-    const long long column = places(i).column, line = places(i).line;
+    around(places(i).column, places(i).line, places, f);
+  }
+  /// The same of a place.
+  template <class Places, class F>
+  void near(const T& x, const T& y, Places&& places, F&& f) const {
+    around(number_of(x), number_of(y), places, f);
+  }
+
+ private:
+  template <class Places, class F>
+  void around(long long column, long long line, Places&& places, F&& f) const {
+    if (count_ == 0) {
+      return;
+    }
     for (long long x = column - 1; x <= column + 1; ++x) {
       for (long long y = line - 1; y <= line + 1; ++y) {
         for (std::size_t k = heads_[list_of(x, y)]; k != no_index; k = places(k).after) {
@@ -69,7 +82,6 @@ class Grid {
     }
   }
 
- private:
   [[nodiscard]] long long number_of(const T& x) const {
     using std::floor;
     const T most(1e15);

@@ -156,6 +156,20 @@ class World {
   void near(std::size_t i, F&& f) {
     grid_.near(i, places(), f);
   }
+  /// All stones that one as large as `reach`, at a place, may touch, and some more.
+  template <class F>
+  void near(const Vec3<T>& p, const T& reach, F&& f) const {
+    if (reach <= widest_) {
+      grid_.near(
+          T(p.x()), T(p.y()), [this](std::size_t i) -> const GridPlace<T>& { return members[i].place; }, f);
+      return;
+    }
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      if (members[i].place.linked) {
+        f(i);
+      }
+    }
+  }
 
   // --- pairs
 
