@@ -102,6 +102,10 @@ int main() {
                momentum(state.begin() + GOISHI_MOMENTUM, state.end());
     status = goishi_free_rotation(AS_ARRAY(moments), AS_ARRAY(attitude), AS_ARRAY(momentum), 0.25, AS_ARRAY(rotation));
     Case("goishi_free_rotation").in(moments).in(attitude).in(momentum).number(0.25).out(7).gives(status, rotation);
+    const List place = {0.01, 0.02, 0.03, 1.0, attitude[1], attitude[2], attitude[3]}, spin = others.vector(20.0);
+    List start(GOISHI_STATE_SIZE);
+    status = goishi_state(AS_ARRAY(stone), AS_ARRAY(place), AS_ARRAY(gravity), AS_ARRAY(spin), AS_ARRAY(start));
+    Case("goishi_state").in(stone).in(place).in(gravity).in(spin).out(start.size()).gives(status, start);
   }
   for (int i = 0; i < 150; ++i) {
     const List stone = samples.stone(), other = samples.stone(), state = samples.state(), other_state = samples.state();
