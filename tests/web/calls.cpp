@@ -1,68 +1,15 @@
-#include "tests/web/calls.hpp"
+#include "tests/web/call_parts.hpp"
 
 #include <climits>
 #include <cstdlib>
-#include <limits>
-#include <tuple>
 #include <utility>
+#include <vector>
 
 namespace goishi::web_test {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
-
-const std::vector<double> stone = {0.022, 0.0092, 0.001, 0.0, 2800.0, 0.0};
-const std::vector<double> state = {0.01, -0.02, 0.05, 0.8, 0.6, 0.0, 0.0, 0.1, 0.0, -0.2, 1e-6, -2e-6, 3e-6};
-const std::vector<double> pose(state.begin(), state.begin() + GOISHI_POSE_SIZE);
-const std::vector<double> other_state = {0.01, -0.02, 0.01, 0.6, 0.0, 0.8, 0.0, 0.0, 0.0, 0.5, 0.0, 1e-6, 0.0};
-const std::vector<double> other_pose(other_state.begin(), other_state.begin() + GOISHI_POSE_SIZE);
-const std::vector<double> gravity = {0.0, 0.0, -9.80665};
-const std::vector<double> point = {0.015, -0.02, 0.046}, normal = {0.0, 0.0, 1.0};
-const std::vector<double> impulse = {1e-4, -2e-4, 1e-3};
-const std::vector<double> board = {19.0, 0.022, 0.0237, 0.0141, 0.01395, 0.1515, 0.0};
-const std::vector<double> plane = {0.0, 0.0, 1.0, 0.0};
-
-std::vector<double> settings() {
-  std::vector<double> result(GOISHI_SETTINGS_SIZE);
-  if (goishi_settings(result.data(), result.size()) != GOISHI_OK) {
-    std::abort();
-  }
-  return result;
-}
-
-std::vector<double> scene_settings() {
-  std::vector<double> result(GOISHI_SCENE_SETTINGS_SIZE);
-  if (goishi_scene_settings(result.data(), result.size()) != GOISHI_OK) {
-    std::abort();
-  }
-  return result;
-}
-
-Array in(const char* name, const std::vector<double>& values, Kind kind = Kind::numbers) {
-  return {.name = name, .values = values, .kind = kind};
-}
-
-Array out(const char* name, std::size_t size, bool rows = false, Kind kind = Kind::numbers) {
-  return {.name = name, .values = std::vector<double>(size, 77.0), .output = true, .rows = rows, .kind = kind};
-}
-
 const Array the_drop = in("drop", {0.0}, Kind::drop), new_drop = out("drop", 1, false, Kind::new_drop);
-const Array the_scene = in("scene", {0.0}, Kind::scene);
-
-int as_int(long long value) {
-  return static_cast<int>(value);
-}
-
-/// Runs a function that has arrays of numbers and nothing else.
-template <auto function, std::size_t... i>
-int with(const Views& a, std::index_sequence<i...> /*places*/) {
-  return std::apply(function, std::tuple_cat(std::make_tuple(a[i].numbers(), a[i].size)...));
-}
-template <auto function, std::size_t count>
-int arrays_only(const Views& a, const Wholes& /*none*/, const Scalars& /*none*/) {
-  return with<function>(a, std::make_index_sequence<count>());
-}
 
 std::vector<Call> shape_calls() {
   const Array fineness = in("fineness", {2.0, 3.0, 4.0}, Kind::ints);
@@ -318,115 +265,6 @@ std::vector<Call> drop_calls() {
   };
 }
 
-/// The stones of `busy_scene` are 0, 1 and 2.
-std::vector<Call> scene_calls() {
-  const auto id = [](long long value, std::vector<long long> bad = {}) {
-    bad.insert(bad.end(), {3, LLONG_MAX, -1});
-    return Whole{"id", value, bad};
-  };
-  return {
-      {"goishi_scene_settings",
-       {out("settings", GOISHI_SCENE_SETTINGS_SIZE)},
-       {},
-       {},
-       arrays_only<goishi_scene_settings, 1>},
-      {"goishi_scene_create",
-       {in("board", board), in("settings", scene_settings()), out("scene", 1, false, Kind::new_scene)},
-       {},
-       {},
-       [](const Views& a, const Wholes&, const Scalars&) {
-         return goishi_scene_create(a[0].numbers(), a[0].size, a[1].numbers(), a[1].size, a[2].new_scene());
-       }},
-      {"goishi_scene_copy",
-       {the_scene, out("copy", 1, false, Kind::new_scene)},
-       {},
-       {},
-       [](const Views& a, const Wholes&, const Scalars&) { return goishi_scene_copy(a[0].scene(), a[1].new_scene()); }},
-      {"goishi_scene_add",
-       {the_scene, in("stone", stone),
-        in("state", {-0.05, 0.03, 0.03, 0.8, 0.6, 0.0, 0.0, 0.1, 0.0, -0.2, 1e-6, -2e-6, 3e-6}),
-        out("id", 1, false, Kind::size)},
-       {},
-       {},
-       [](const Views& a, const Wholes&, const Scalars&) {
-         return goishi_scene_add(a[0].scene(), a[1].numbers(), a[1].size, a[2].numbers(), a[2].size, a[3].sizes());
-       }},
-      {"goishi_scene_remove",
-       {the_scene},
-       {id(1)},
-       {},
-       [](const Views& a, const Wholes& i, const Scalars&) {
-         return goishi_scene_remove(a[0].scene(), static_cast<std::size_t>(i[0]));
-       }},
-      {"goishi_scene_advance",
-       {the_scene},
-       {},
-       {{"dt", 0.01, {0.0, -1e-300, infinity, -infinity, nan}}},
-       [](const Views& a, const Wholes&, const Scalars& x) { return goishi_scene_advance(a[0].scene(), x[0]); }},
-      {"goishi_scene_advance_to",
-       {the_scene},
-       {},
-       {{"time", 0.1, {0.0, -1.0, infinity, -infinity, nan}}},
-       [](const Views& a, const Wholes&, const Scalars& x) { return goishi_scene_advance_to(a[0].scene(), x[0]); }},
-      {"goishi_scene_run_until_rest",
-       {the_scene},
-       {},
-       {{"horizon", 0.1, {0.0, -1.0, infinity, -infinity, nan}}},
-       [](const Views& a, const Wholes&, const Scalars& x) { return goishi_scene_run_until_rest(a[0].scene(), x[0]); }},
-      {"goishi_scene_push",
-       {the_scene, in("point", point), in("impulse", impulse)},
-       {id(1, {2})},
-       {},
-       [](const Views& a, const Wholes& i, const Scalars&) {
-         return goishi_scene_push(a[0].scene(), static_cast<std::size_t>(i[0]), a[1].numbers(), a[1].size,
-                                  a[2].numbers(), a[2].size);
-       }},
-      {"goishi_scene_hold",
-       {the_scene, in("velocity", {0.0, 0.01, 0.1}), in("spin", {0.0, 0.0, 1.0})},
-       {id(1)},
-       {{"duration", 0.1, {0.0, -1.0, infinity, nan}}},
-       [](const Views& a, const Wholes& i, const Scalars& x) {
-         return goishi_scene_hold(a[0].scene(), static_cast<std::size_t>(i[0]), a[1].numbers(), a[1].size,
-                                  a[2].numbers(), a[2].size, x[0]);
-       }},
-      {"goishi_scene_release",
-       {the_scene},
-       {id(2, {0, 1})},
-       {},
-       [](const Views& a, const Wholes& i, const Scalars&) {
-         return goishi_scene_release(a[0].scene(), static_cast<std::size_t>(i[0]));
-       }},
-      {"goishi_scene_change",
-       {the_scene, in("settings", scene_settings())},
-       {},
-       {},
-       [](const Views& a, const Wholes&, const Scalars&) {
-         return goishi_scene_change(a[0].scene(), a[1].numbers(), a[1].size);
-       }},
-      {"goishi_scene_info",
-       {the_scene, out("info", GOISHI_SCENE_SIZE)},
-       {},
-       {},
-       [](const Views& a, const Wholes&, const Scalars&) {
-         return goishi_scene_info(a[0].scene(), a[1].numbers(), a[1].size);
-       }},
-      {"goishi_scene_stones",
-       {the_scene, out("rows", std::size_t{2 * GOISHI_SCENE_STONE_SIZE}, true)},
-       {{"first", 1, {2, 4, LLONG_MAX, -1}}},
-       {},
-       [](const Views& a, const Wholes& i, const Scalars&) {
-         return goishi_scene_stones(a[0].scene(), static_cast<std::size_t>(i[0]), a[1].numbers(), a[1].size);
-       }},
-      {"goishi_scene_contacts",
-       {the_scene, out("rows", std::size_t{3 * GOISHI_SCENE_CONTACT_SIZE}, true), out("count", 1, false, Kind::size)},
-       {},
-       {},
-       [](const Views& a, const Wholes&, const Scalars&) {
-         return goishi_scene_contacts(a[0].scene(), a[1].numbers(), a[1].size, a[2].sizes());
-       }},
-  };
-}
-
 }  // namespace
 
 std::vector<Call> all_calls() {
@@ -449,26 +287,6 @@ goishi_drop* falling_drop() {
     std::abort();
   }
   return drop;
-}
-
-goishi_scene* busy_scene() {
-  goishi_scene* scene = nullptr;
-  std::vector<double> how = scene_settings();
-  how[GOISHI_TOLERANCE] = 1e-4;
-  std::size_t id = 0;
-  const std::vector<double> up = {0.0, 0.0, 0.1}, still = {0.0, 0.0, 0.0};
-  bool good = goishi_scene_create(board.data(), board.size(), how.data(), how.size(), &scene) == GOISHI_OK &&
-              goishi_scene_add(scene, stone.data(), stone.size(), state.data(), state.size(), &id) == GOISHI_OK;
-  for (const double x : {0.05, 0.1}) {
-    const std::vector<double> lies = {x, 0.0, 0.0046, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-    good = good && goishi_scene_add(scene, stone.data(), stone.size(), lies.data(), lies.size(), &id) == GOISHI_OK;
-  }
-  good = good && goishi_scene_hold(scene, id, up.data(), up.size(), still.data(), still.size(), 0.01) == GOISHI_OK &&
-         goishi_scene_advance(scene, 0.02) == GOISHI_OK;
-  if (!good) {
-    std::abort();
-  }
-  return scene;
 }
 
 }  // namespace goishi::web_test

@@ -10,25 +10,14 @@ import { Refusal } from "../refusal";
 import { linkButton, remember, type Section } from "../section";
 import { ArrowsShape } from "../shapes/arrows";
 import { BoardShape } from "../shapes/board";
-import { modeTokens, StonesShape, stride } from "../shapes/stones";
+import { modeTokens, pose, StonesShape } from "../shapes/stones";
 import { Transport } from "../transport";
 import { action, Deeds, last, rate, unit, type Action } from "./board/actions";
 import { Course } from "./board/course";
 import { sceneEvidence } from "./board/evidence";
 import { Hand } from "./board/hand";
-import { kindsOf, type Arrangement, type Start } from "./board/start";
+import { crossingsOf, kindsOf, starts, type Arrangement, type Start } from "./board/start";
 import { floorOf } from "./drop/run";
-
-const starts: Record<string, { label: string; says: string; start: Partial<Start> }> = {
-  many: { label: "half a board", start: {},
-    says: "Dropped over as many crossings, each leaning and turning a little: they fall on the board and on each other, and slide into the gaps." },
-  full: { label: "a full board", start: { stones: 361 },
-    says: "A stone for each of the 361 crossings. The stones are so wide that there is hardly room: some lie on others in the end, or have gone over the edge." },
-  heap: { label: "a heap", start: { arrangement: "heap", stones: 45, height: 20 },
-    says: "A column of stones falls down: each leans on others, so that all forces must be found at once. A heap has 60 at most." },
-  laid: { label: "laid out", start: { arrangement: "laid", stones: 361 },
-    says: "All laid down already, at rest: nothing is computed. Push one, or bump the board." },
-};
 
 const bump = 30;           // [m/s²] upwards, for a sixtieth of a second
 const push = 1.5e-3;       // [N s]
@@ -50,7 +39,7 @@ export const board: Section = {
 
   start(place) {
     const { goishi, stage, section, wide, text } = place;
-    const table = goishi.board(), kinds = kindsOf(goishi);
+    const table = goishi.board(), kinds = kindsOf(goishi), crossings = crossingsOf(table);
 
     // --- what is drawn
     const still = new Scene(), wood = new BoardShape(table), occluder = wood.occluder();
@@ -83,7 +72,7 @@ export const board: Section = {
     button(hands, "push one", () => pushOne());
     button(hands, "throw one in", () => act(thrown));
     button(hands, "lay one down", () => {
-      const free = crossings().filter(isFree).sort((a, b) => Math.hypot(...a) - Math.hypot(...b))[0];
+      const free = crossings.filter(isFree).sort((a, b) => Math.hypot(...a) - Math.hypot(...b))[0];
       if (free) lay(free);
       else refused.takes(() => refused.because("There is no free crossing."));
     });
@@ -227,8 +216,8 @@ export const board: Section = {
     }
 
     const placeOf = (id: number): Vec => {
-      const { poses } = course!.moments[momentAt(transport.time)]!;
-      return [poses[stride * id]!, poses[stride * id + 1]!, poses[stride * id + 2]!];
+      const { poses } = course!.moments[course!.momentAt(transport.time)]!;
+      return [poses[pose.size * id]!, poses[pose.size * id + 1]!, poses[pose.size * id + 2]!];
     };
 
     /** A push across the board, away from who looks. */
@@ -238,7 +227,7 @@ export const board: Section = {
     }
     function pushOne(): void {
       if (!course) return;
-      const ids = course.moments[momentAt(transport.time)]!.poses.length / stride;
+      const ids = course.moments[course!.momentAt(transport.time)]!.poses.length / pose.size;
       const near = Array.from({ length: ids }, (_, id) => ({ id, at: placeOf(id) })).sort((a, b) => Math.hypot(...a.at) - Math.hypot(...b.at))[0];
       if (near) pushAt(near.id, near.at, figure.camera.getWorldDirection(new Vector3()));
     }
@@ -250,14 +239,9 @@ export const board: Section = {
       return [action("t", at, nth % 2, from.x * unit.length, from.y * unit.length, 0.07 * unit.length, 1100 * way.x, 1100 * way.y, 100, 10, 30)];
     }
 
-    const crossings = (): [number, number][] => {
-      const lines_ = table[C.BOARD_LINES]!, half = (lines_ - 1) / 2;
-      return Array.from({ length: lines_ * lines_ }, (_, i) =>
-        [(i % lines_ - half) * table[C.BOARD_SPACING_X]!, (Math.floor(i / lines_) - half) * table[C.BOARD_SPACING_Y]!]);
-    };
     function isFree([x, y]: readonly [number, number]): boolean {
-      const { poses } = course!.moments[momentAt(transport.time)]!, room = Math.max(...kinds.measures.map((one) => one[C.OUTER_WIDTH]!)) + 1e-4;
-      for (let i = 0; i < poses.length; i += stride) {
+      const { poses } = course!.moments[course!.momentAt(transport.time)]!, room = Math.max(...kinds.measures.map((one) => one[C.OUTER_WIDTH]!)) + 1e-4;
+      for (let i = 0; i < poses.length; i += pose.size) {
         if (poses[i + 2]! > 0 && Math.hypot(poses[i]! - x, poses[i + 1]! - y) < room) return false;
       }
       return true;
@@ -281,7 +265,7 @@ export const board: Section = {
       const hit = caster.ray.intersectPlane(new Plane(new Vector3(0, 0, 1), 0), new Vector3());
       if (!hit || Math.abs(hit.x) > wood.half.x || Math.abs(hit.y) > wood.half.y) return;
       const away = ([x, y]: readonly [number, number]) => Math.hypot(1e3 * x - hit.x, 1e3 * y - hit.y);
-      const nearest = crossings().sort((a, b) => away(a) - away(b))[0]!;
+      const nearest = [...crossings].sort((a, b) => away(a) - away(b))[0]!;
       if (isFree(nearest)) lay(nearest);
       else refused.takes(() => refused.because("There is no room on this crossing."));
     }
@@ -320,24 +304,6 @@ export const board: Section = {
 
     // --- how it is shown
 
-    const momentAt = (time: number) => Math.min(course!.head, Math.floor(time * rate + 1e-6));
-
-    /** Between two moments a stone is drawn between its two places. */
-    function posesAt(time: number): Float32Array {
-      const { moments } = course!, i = momentAt(time), share = time * rate - i, poses = moments[i]!.poses, next = moments[i + 1]?.poses;
-      if (!next || share < 1e-3) return poses;
-      const result = poses.slice();
-      for (let k = 0; k < poses.length; k += stride) {
-        let dot = 0;
-        for (let j = 3; j < 7; ++j) dot += poses[k + j]! * next[k + j]!;
-        const sign = dot < 0 ? -1 : 1;
-        for (let j = 0; j < 7; ++j) result[k + j] = poses[k + j]! + share * ((j < 3 ? 1 : sign) * next[k + j]! - poses[k + j]!);
-        const norm = Math.hypot(result[k + 3]!, result[k + 4]!, result[k + 5]!, result[k + 6]!);
-        for (let j = 3; j < 7; ++j) result[k + j]! /= norm;
-      }
-      return result;
-    }
-
     /** How fast simulated time goes beside the clock, as it was over the last half second. */
     function measurePace(time: number, stopped: boolean): number {
       const real = performance.now();
@@ -348,7 +314,7 @@ export const board: Section = {
 
     function show(time: number, stopped: boolean): void {
       if (!course) return;
-      const at = momentAt(time), moment = course.moments[at]!, poses = posesAt(time), all = poses.length / stride;
+      const at = course.momentAt(time), moment = course.moments[at]!, poses = course.posesAt(time), all = poses.length / pose.size;
       for (const one of shapes) {
         one.byMode = byMode.value;
         one.place(poses, course.colors);

@@ -5,8 +5,8 @@ import { C, type Numbers } from "../core";
 import { rgb, type Token } from "../look";
 import { lightGlsl, lightUniforms, towardsLight } from "./light";
 
-/** Of the numbers of a stone: x, y, z [m], the attitude w, x, y, z, and how it goes on, GOISHI_MODE_… */
-export const stride = 8;
+/** The numbers of a stone, `size` of them: x, y, z [m], the attitude w, x, y, z, and how it goes on, GOISHI_MODE_… */
+export const pose = { place: 0, attitude: 3, mode: 7, size: 8 } as const;
 
 /** The colours of the modes, in their order. */
 export const modeTokens: readonly Token[] = ["momentum", "omega", "published", "exact", "normal"];
@@ -98,9 +98,9 @@ function instanced(shape: BufferGeometry, poses: InstancedInterleavedBuffer): In
   const geometry = new InstancedBufferGeometry();
   geometry.index = shape.index;
   for (const name of ["position", "normal"]) geometry.setAttribute(name, shape.getAttribute(name));
-  geometry.setAttribute("place", new InterleavedBufferAttribute(poses, 3, 0));
-  geometry.setAttribute("attitude", new InterleavedBufferAttribute(poses, 4, 3));
-  geometry.setAttribute("mode", new InterleavedBufferAttribute(poses, 1, 7));
+  geometry.setAttribute("place", new InterleavedBufferAttribute(poses, 3, pose.place));
+  geometry.setAttribute("attitude", new InterleavedBufferAttribute(poses, 4, pose.attitude));
+  geometry.setAttribute("mode", new InterleavedBufferAttribute(poses, 1, pose.mode));
   geometry.instanceCount = 0;
   return geometry;
 }
@@ -119,7 +119,7 @@ export class StonesShape {
   constructor(measures: Numbers, black: boolean, most: number, half: Vector2, floor: number) {
     this.#black = black;
     [this.#a, this.#c] = [500 * measures[C.OUTER_WIDTH]!, 500 * measures[C.MEASURE_HEIGHT]!];
-    this.#poses = new InstancedInterleavedBuffer(new Float32Array(stride * most), stride);
+    this.#poses = new InstancedInterleavedBuffer(new Float32Array(pose.size * most), pose.size);
     // A lens as high and as wide as the stone.
     const radius = (this.#a ** 2 + this.#c ** 2) / (2 * this.#c);
     const axes = { value: new Vector2(this.#a ** 2, this.#c ** 2) };
@@ -149,13 +149,13 @@ export class StonesShape {
     this.stones.material.uniforms["byMode"]!.value = value ? 0.75 : 0;
   }
 
-  /** Of all stones, `stride` numbers each, those of this colour. */
+  /** Of all stones, `pose.size` numbers each, those of this colour. */
   place(poses: Float32Array, colors: readonly number[]): void {
-    const count = poses.length / stride, mine = this.#black ? 1 : 0, array = this.#poses.array as Float32Array;
+    const count = poses.length / pose.size, mine = this.#black ? 1 : 0, array = this.#poses.array as Float32Array;
     this.#ids = [];
     for (let i = 0; i < count; ++i) {
       if (colors[i] !== mine) continue;
-      array.set(poses.subarray(stride * i, stride * (i + 1)), stride * this.#ids.length);
+      array.set(poses.subarray(pose.size * i, pose.size * (i + 1)), pose.size * this.#ids.length);
       this.#ids.push(i);
     }
     this.stones.geometry.instanceCount = this.shadows.geometry.instanceCount = this.#ids.length;
@@ -168,7 +168,7 @@ export class StonesShape {
     let found: { id: number; distance: number; point: Vector3 } | null = null;
     const p = new Vector3(), u = new Vector3();
     this.#ids.forEach((id, k) => {
-      const [x, y, z, qw, qx, qy, qz] = array.subarray(stride * k, stride * k + 7) as unknown as [number, number, number, number, number, number, number];
+      const [x, y, z, qw, qx, qy, qz] = array.subarray(pose.size * k, pose.size * k + pose.mode) as unknown as [number, number, number, number, number, number, number];
       u.set(2 * (qx * qz + qw * qy), 2 * (qy * qz - qw * qx), qw * qw + qz * qz - qx * qx - qy * qy);
       p.copy(origin).sub({ x: 1e3 * x, y: 1e3 * y, z: 1e3 * z });
       // |x|²/a² + (x·u)² (1/c² − 1/a²) = 1 along the ray.

@@ -1,10 +1,8 @@
 /** The course of a scene: computed moment by moment, kept so that time can go back, and begun anew from any moment on. */
 import { C, Refused, vec, type Goishi, type Numbers, type StoneScene } from "../../core";
+import { pose } from "../../shapes/stones";
 import { action, last, rate, unit, vector, type Action } from "./actions";
 import { kindsOf, placedBy, settingsOf, type Kinds, type Start } from "./start";
-
-/** How the stones of a moment are kept: where, which way, and how each goes on. */
-export const pose = { place: 0, attitude: 3, mode: 7, size: 8 } as const;
 
 export interface Moment {
   /** `pose.size` numbers a stone. */
@@ -83,7 +81,26 @@ export class Course {
     return this.moments.length - 1;
   }
 
-  /** Whether nothing comes after it. */
+  /** The last moment that is not after a time. */
+  momentAt(time: number): number {
+    return Math.min(this.head, Math.floor(time * rate + 1e-6));
+  }
+
+  /** How the stones are drawn at a time: between two moments, between their places. */
+  posesAt(time: number): Float32Array {
+    const i = this.momentAt(time), share = time * rate - i, poses = this.moments[i]!.poses, next = this.moments[i + 1]?.poses;
+    if (!next || share < 1e-3) return poses;
+    const result = poses.slice();
+    for (let k = 0; k < poses.length; k += pose.size) {
+      const at = k + pose.attitude, turn = [0, 1, 2, 3].reduce((sum, j) => sum + poses[at + j]! * next[at + j]!, 0) < 0 ? -1 : 1; // q and −q are one attitude
+      for (let j = k; j < k + pose.mode; ++j) result[j] = poses[j]! + share * ((j < at ? 1 : turn) * next[j]! - poses[j]!);
+      const norm = Math.hypot(result[at]!, result[at + 1]!, result[at + 2]!, result[at + 3]!);
+      for (let j = at; j < at + 4; ++j) result[j]! /= norm;
+    }
+    return result;
+  }
+
+  /** Whether nothing comes after the head. */
   get over(): boolean {
     return (this.#rests && this.#done === this.#events.length) || this.head >= last;
   }
