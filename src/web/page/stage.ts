@@ -4,7 +4,7 @@ import { Color, ColorManagement, LinearSRGBColorSpace, WebGLRenderer } from "thr
 import { Figure, type FigureOptions } from "./figure";
 import { onTheme } from "./look";
 
-const scales = [0.7, 1, 1.5, 2] as const; // pixels per CSS pixel while something moves
+const scales = [0.7, 1, 1.5, 2] as const; // pixels per CSS pixel while something moves: below 1 where no graphics card draws
 const slow = 20, fast = 17.5;        // [ms] of a frame: five slow ones lower the scale, ninety fast ones raise it
 const settle = 140;                  // [ms] after the last picture until it is drawn once more, as finely as it can be
 

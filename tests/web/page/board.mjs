@@ -213,7 +213,7 @@ export async function test({ browser, cases, native, C, source }) {
     await page.context().close();
   });
 
-  /** Where the first stone is seen. */
+  /** Where a point [mm] is seen in the window. */
   const seen = (page, point) => page.evaluate(([place, at]) => {
     const element = document.querySelector(`${place} .picture`), { x, y } = globalThis.goishiStage.where(element, at), box = element.getBoundingClientRect();
     return [box.left + x, box.top + y];
@@ -234,7 +234,7 @@ export async function test({ browser, cases, native, C, source }) {
     await free.mouse.click(...await seen(free, [22, 23.7, 0]));
     await settle(free);
     const done = new URLSearchParams(new URL(free.url()).hash.split("?")[1]).get("do");
-    expect(done?.startsWith("l1.0.2200.2370") || /^l\d+\.0\.2200\.2370$/.test(done ?? ""), `what is done is “${done}”`);
+    expect(/^l\d+\.0\.2200\.2370$/.test(done ?? ""), `what is done is “${done}”`);
     expect((await shown(free, "board"))["mode-3"] === "2.0000000000000000", "the two do not rest");
     await free.context().close();
   });
@@ -261,16 +261,19 @@ export async function test({ browser, cases, native, C, source }) {
   });
 
   await case_("nonsense in a link does nothing", async () => {
-    const first = await open(few), print = (await shown(first, "board")).print;
-    await first.context().close();
+    const page = await open(few), print = (await shown(page, "board")).print;
+    const follow = async (deeds) => {
+      await page.evaluate((hash) => (location.hash = hash), `#board?${new URLSearchParams({ ...few, do: deeds })}`);
+      await settle(page);
+      return (await shown(page, "board")).print;
+    };
     for (const deeds of ["x1.2", "b", "b1", "b1.0", "b1.999999", "p1.2.3", "b9999.5", "b5.100~b4.100", "b1.1e3", "p1.-1.0.0.0.0.0.0", "b1.5~", "~".repeat(50), "b1.100000 "]) {
-      const page = await open({ ...few, do: deeds });
-      expect((await shown(page, "board")).print === print, `“${deeds}” does something`);
-      await page.context().close();
+      expect(await follow(deeds) === print, `“${deeds}” does something`);
     }
-    const stray = await open({ ...few, do: "r3.2~p5.3999.0.0.0.100.0.0" }); // right in form, and refused by the library
-    expect((await shown(stray, "board")).print === print, "a stone that is not there is pushed");
-    await stray.context().close();
+    // Right in form, and refused by the library: a stone that is not there, one that no hand holds.
+    expect(await follow("r3.2~p5.3999.0.0.0.100.0.0") === print, "a stone that is not there is pushed");
+    expect(await follow("b5.30000") !== print, "what is done by a link is not done");
+    await page.context().close();
   });
 
   await case_("what it says of simulated time is true", async () => {
@@ -282,7 +285,7 @@ export async function test({ browser, cases, native, C, source }) {
     await page.waitForTimeout(2000);
     const two = await read(), share = (two.time - one.time) / ((two.at - one.at) / 1000), told = /× ([\d.]+)/.exec(two.pace);
     console.log(`      × ${share.toFixed(2)} by the clock; it says “${two.pace}”`);
-    expect(told || share > 0.7 || /at rest/.test(two.pace), "it goes slowly and does not say so");
+    expect(told ? Number(told[1]) < 4 * share + 0.1 : share > 0.7 || /at rest/.test(two.pace), "it goes slowly and does not say so");
     await page.context().close();
   });
 

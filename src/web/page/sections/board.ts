@@ -21,10 +21,10 @@ import { floorOf } from "./drop/run";
 
 const bump = 30;           // [m/s²] upwards, for a sixtieth of a second
 const push = 1.5e-3;       // [N s]
-const leastBudget = 10, mostBudget = 50; // [ms] of a frame for computing while it plays; between them half of what a frame takes
+const leastBudget = 8, mostBudget = 24; // [ms] of a frame for computing while it plays; between them a third of what a frame takes
 const patience = 250;      // [ms] when one waits for it
-const forceScale = 160;    // [mm/N] of an arrow: 8 mm for a stone's weight
-const longest = 40;        // [mm] of an arrow
+const forceScale = 400;    // [mm/N] of an arrow: 20 mm for a stone's weight
+const longest = 80;        // [mm] of an arrow
 const graphEvery = 0.25;   // [s] between two graphs, while time goes on
 const most = 361 + 2000;   // stones: those of the start, and one for each action
 
@@ -33,9 +33,9 @@ const modeWords = ["in flight", "alone on the board", "touch others", "at rest",
 export const board: Section = {
   id: "board",
   title: "The board",
-  lead: `And now many. Each stone <b class="c-momentum">flies</b> and bounces by itself until it meets another; those that lean on
-    each other are found <b class="c-published">all at once</b>; what <b class="c-exact">rests</b> costs nothing. Push a stone by a click, take one and
-    throw it, lay one down on a free crossing, or bump the board.`,
+  lead: `And now many. Each stone <b class="c-momentum">flies</b> and bounces by itself until it meets another; where stones
+    <b class="c-published">touch others</b> and stay there, all forces between them are found at once; what <b class="c-exact">rests</b> is not computed any more. Click a stone
+    to push it, drag it to throw it, click a free crossing to lay one down, or bump the board.`,
 
   start(place) {
     const { goishi, stage, section, wide, text } = place;
@@ -46,7 +46,7 @@ export const board: Section = {
     still.add(wood);
     const shapes = ([0, 1] as const).map((k) =>
       new StonesShape(kinds.measures[k], k === 1, most, wood.half, 1e3 * floorOf(table)));
-    const arrows = new ArrowsShape("normal", 4000, 0.5);
+    const arrows = new ArrowsShape("normal", 4000, 0.9);
     const starter = new Presets(wide, { name: "start", label: "ready-made starts",
       choices: Object.entries(starts).map(([value, { label }]) => ({ value, label })) }, (name) => take(name));
     const says = el("p", "remark says", { "aria-live": "polite" });
@@ -190,7 +190,7 @@ export const board: Section = {
       if (!course) return { time: 0, over: true };
       const to = Math.ceil(time * rate - 1e-6), before = course.head;
       if (hand) carry();
-      const called = performance.now(), budget = Math.min(mostBudget, Math.max(leastBudget, (called - lastCalled) / 2));
+      const called = performance.now(), budget = Math.min(mostBudget, Math.max(leastBudget, (called - lastCalled) / 3));
       lastCalled = called;
       if (to > course.head && !course.over) course.compute(to, transport.playing ? budget : patience);
       const end = course.head / rate, now = Math.min(time, end);
@@ -326,7 +326,7 @@ export const board: Section = {
         for (const one of contacts) {
           const force = [0, 1, 2].map((k) => one[C.SCENE_CONTACT_FORCE + k]!), size = forceScale * Math.hypot(...force);
           if (!(size > 0)) continue;
-          const scale = (forceScale * Math.min(size, longest)) / size;
+          const scale = forceScale * Math.min(1, longest / size);
           for (let k = 0; k < 3; ++k) {
             from.push(1e3 * one[C.SCENE_CONTACT_POINT + k]!);
             along.push(scale * force[k]!);

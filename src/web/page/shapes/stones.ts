@@ -1,6 +1,6 @@
-/** Many stones in one picture: each shape is given to the card once, with a place, an attitude and a mode for each stone. */
-import { Color, InstancedBufferGeometry, InstancedInterleavedBuffer, InterleavedBufferAttribute, Mesh, PlaneGeometry, ShaderMaterial,
-  Vector2, Vector3, type BufferGeometry, type Raycaster } from "three";
+/** Many stones in one picture, all of a colour in one drawing, by a place, an attitude and a mode for each. */
+import { BufferAttribute, BufferGeometry, Color, InterleavedBuffer, InterleavedBufferAttribute, Mesh, ShaderMaterial,
+  Vector2, Vector3, type Raycaster } from "three";
 import { C, type Numbers } from "../core";
 import { rgb, type Token } from "../look";
 import { lightGlsl, lightUniforms, towardsLight } from "./light";
@@ -11,7 +11,7 @@ export const pose = { place: 0, attitude: 3, mode: 7, size: 8 } as const;
 /** The colours of the modes, in their order. */
 export const modeTokens: readonly Token[] = ["momentum", "omega", "published", "exact", "normal"];
 
-const instance = /* glsl */ `
+const numbers = /* glsl */ `
 attribute vec3 place;
 attribute vec4 attitude; // w, x, y, z
 attribute float mode;
@@ -24,7 +24,7 @@ vec3 turned(vec3 v) {
 // Each stone is a patch that faces the eye and is as large as what is seen of it. In it the eye's ray is cut with the two
 // spheres whose intersection the stone is: a hundredth of the triangles, and round at any size.
 const stoneVertex = /* glsl */ `
-${instance}
+${numbers}
 uniform vec3 modes[5];
 uniform vec3 base;
 uniform vec2 axes; // a², c²
@@ -63,7 +63,7 @@ void main() {
 // The shadow of the ellipsoid with a stone's half axes, as in shadow.ts: S = P R diag(a², a², c²) Rᵀ Pᵀ; by its root
 // a circle becomes it, so that each stone has the smallest patch that its shadow needs.
 const shadowVertex = /* glsl */ `
-${instance}
+${numbers}
 uniform vec2 slope;   // of the light
 uniform vec2 axes;    // a², c²
 uniform float floor_; // its height
@@ -75,7 +75,7 @@ void main() {
   vec2 v = u.xy - slope * u.z;   // P u
   mat2 s = axes.x * (mat2(1.0) + outerProduct(slope, slope)) + (axes.y - axes.x) * outerProduct(v, v);
   float l = sqrt(s[0][0]), m = s[0][1] / l, n = sqrt(max(s[1][1] - m * m, 0.0));
-  vSoft = min(0.9, 0.15 + above / 90.0);
+  vSoft = min(0.5, 0.15 + above / 160.0);
   vDeep = 0.5 / (1.0 + above / 120.0);
   vQ = 2.0 * position.xy * (1.0 + vSoft);
   vP = p.xy - slope * height + vec2(l * vQ.x, m * vQ.x + n * vQ.y);
@@ -93,23 +93,28 @@ void main() {
   gl_FragColor = vec4(0.1, 0.06, 0.03, vDeep * edge);
 }`;
 
-/** A shape that is drawn once for each stone of one colour. */
-function instanced(shape: BufferGeometry, poses: InstancedInterleavedBuffer): InstancedBufferGeometry {
-  const geometry = new InstancedBufferGeometry();
-  geometry.index = shape.index;
-  for (const name of ["position", "normal"]) geometry.setAttribute(name, shape.getAttribute(name));
+/** A square patch for each stone, four corners that all have its numbers: one drawing in all. By instances it is told shorter,
+ * but where a processor draws each instance costs as much as a drawing. */
+function patches(poses: InterleavedBuffer, most: number): BufferGeometry {
+  const geometry = new BufferGeometry(), corners = new Float32Array(12 * most), index = new Uint32Array(6 * most);
+  for (let i = 0; i < most; ++i) {
+    corners.set([-0.5, -0.5, 0, 0.5, -0.5, 0, 0.5, 0.5, 0, -0.5, 0.5, 0], 12 * i);
+    index.set([0, 1, 2, 0, 2, 3].map((k) => 4 * i + k), 6 * i);
+  }
+  geometry.setAttribute("position", new BufferAttribute(corners, 3));
   geometry.setAttribute("place", new InterleavedBufferAttribute(poses, 3, pose.place));
   geometry.setAttribute("attitude", new InterleavedBufferAttribute(poses, 4, pose.attitude));
   geometry.setAttribute("mode", new InterleavedBufferAttribute(poses, 1, pose.mode));
-  geometry.instanceCount = 0;
+  geometry.setIndex(new BufferAttribute(index, 1));
+  geometry.setDrawRange(0, 0);
   return geometry;
 }
 
 /** The stones of one kind, and their shadows. */
 export class StonesShape {
-  readonly stones: Mesh<InstancedBufferGeometry, ShaderMaterial>;
-  readonly shadows: Mesh<InstancedBufferGeometry, ShaderMaterial>;
-  readonly #poses: InstancedInterleavedBuffer;
+  readonly stones: Mesh<BufferGeometry, ShaderMaterial>;
+  readonly shadows: Mesh<BufferGeometry, ShaderMaterial>;
+  readonly #poses: InterleavedBuffer; // each stone four times
   readonly #a: number; // half axes   [mm]
   readonly #c: number;
   readonly #black: boolean;
@@ -119,16 +124,16 @@ export class StonesShape {
   constructor(measures: Numbers, black: boolean, most: number, half: Vector2, floor: number) {
     this.#black = black;
     [this.#a, this.#c] = [500 * measures[C.OUTER_WIDTH]!, 500 * measures[C.MEASURE_HEIGHT]!];
-    this.#poses = new InstancedInterleavedBuffer(new Float32Array(pose.size * most), pose.size);
+    this.#poses = new InterleavedBuffer(new Float32Array(4 * pose.size * most), pose.size);
     // A lens as high and as wide as the stone.
     const radius = (this.#a ** 2 + this.#c ** 2) / (2 * this.#c);
     const axes = { value: new Vector2(this.#a ** 2, this.#c ** 2) };
-    this.stones = new Mesh(instanced(new PlaneGeometry(1, 1), this.#poses), new ShaderMaterial({
+    this.stones = new Mesh(patches(this.#poses, most), new ShaderMaterial({
       vertexShader: stoneVertex, fragmentShader: stoneFragment,
       uniforms: { axes, radius: { value: radius }, offset: { value: radius - this.#c }, base: { value: new Color(black ? "#2a2b2e" : "#f4efe4") }, gloss: { value: black ? 0.4 : 0.85 }, byMode: { value: 0 },
         modes: { value: modeTokens.map(() => new Vector3()) }, ...lightUniforms() },
     }));
-    this.shadows = new Mesh(instanced(new PlaneGeometry(1, 1), this.#poses), new ShaderMaterial({
+    this.shadows = new Mesh(patches(this.#poses, most), new ShaderMaterial({
       vertexShader: shadowVertex, fragmentShader: shadowFragment, transparent: true, depthWrite: false,
       polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -4,
       uniforms: { slope: { value: new Vector2(towardsLight.x, towardsLight.y).divideScalar(towardsLight.z) },
@@ -155,10 +160,13 @@ export class StonesShape {
     this.#ids = [];
     for (let i = 0; i < count; ++i) {
       if (colors[i] !== mine) continue;
-      array.set(poses.subarray(pose.size * i, pose.size * (i + 1)), pose.size * this.#ids.length);
+      const one = poses.subarray(pose.size * i, pose.size * (i + 1));
+      for (let k = 0; k < 4; ++k) array.set(one, pose.size * (4 * this.#ids.length + k));
       this.#ids.push(i);
     }
-    this.stones.geometry.instanceCount = this.shadows.geometry.instanceCount = this.#ids.length;
+    for (const { geometry } of [this.stones, this.shadows]) geometry.setDrawRange(0, 6 * this.#ids.length);
+    this.#poses.clearUpdateRanges();
+    this.#poses.addUpdateRange(0, 4 * pose.size * this.#ids.length);
     this.#poses.needsUpdate = true;
   }
 
@@ -168,7 +176,7 @@ export class StonesShape {
     let found: { id: number; distance: number; point: Vector3 } | null = null;
     const p = new Vector3(), u = new Vector3();
     this.#ids.forEach((id, k) => {
-      const [x, y, z, qw, qx, qy, qz] = array.subarray(pose.size * k, pose.size * k + pose.mode) as unknown as [number, number, number, number, number, number, number];
+      const [x, y, z, qw, qx, qy, qz] = array.subarray(4 * pose.size * k, 4 * pose.size * k + pose.mode) as unknown as [number, number, number, number, number, number, number];
       u.set(2 * (qx * qz + qw * qy), 2 * (qy * qz - qw * qx), qw * qw + qz * qz - qx * qx - qy * qy);
       p.copy(origin).sub({ x: 1e3 * x, y: 1e3 * y, z: 1e3 * z });
       // |x|²/a² + (x·u)² (1/c² − 1/a²) = 1 along the ray.
