@@ -172,6 +172,13 @@ export async function test({ browser, cases, native, C, source }) {
       expect(Number((await shown(page, "board")).contacts) === expected.touching, `${(await shown(page, "board")).contacts} contacts, not ${expected.touching}`);
     }
     await page.context().close();
+    // What was done before is done in the past, too.
+    const laid = { stones: 9, as: "laid", do: "b3.60000" }, bumped_ = await open({ ...laid, forces: 1 });
+    const whole = Number((await shown(bumped_, "board")).time), flying = await natively(laid, 12);
+    expect(flying.touching === 0, "nothing hops");
+    await seek(bumped_, 1e4 * (12 / rate) / whole);
+    expect(Number((await shown(bumped_, "board")).contacts) === 0, `${(await shown(bumped_, "board")).contacts} contacts of stones in the air`);
+    await bumped_.context().close();
   });
 
   await case_("whatever is done is in the link, which shows the same, to the last bit", async () => {
@@ -199,17 +206,25 @@ export async function test({ browser, cases, native, C, source }) {
     await page.context().close();
   });
 
-  await case_("what is done in the past takes the place of what came after", async () => {
+  await case_("what is done in the past takes the place of what came after, and keeps what was before", async () => {
     const page = await open(few);
-    const first = await shown(page, "board");
-    await seek(page, 2000);
-    const then = Number((await shown(page, "board")).time);
-    await button(page, "bump");
-    await settle(page);
-    const deeds = new URLSearchParams(new URL(page.url()).hash.split("?")[1]).get("do");
-    expect(Math.abs(Number(/^b(\d+)/.exec(deeds)[1]) / rate - then) < 1 / rate, `${deeds} is not at ${then} s`);
-    await compare(page, await natively({ ...few, do: deeds }), false);
-    expect((await shown(page, "board")).print !== first.print, "nothing has changed");
+    const deeds = () => new URLSearchParams(new URL(page.url()).hash.split("?")[1]).get("do") ?? "";
+    const at = async (share, label) => {
+      await seek(page, 1e4 * share);
+      const then = Number((await shown(page, "board")).time);
+      await button(page, label);
+      await settle(page);
+      expect(Math.abs(Number(/(\d+)[^~]*$/.exec(deeds().split("~").at(-1).slice(1))[0].split(".")[0]) / rate - then) < 1 / rate, `${deeds()}: the last is not at ${then} s`);
+      await compare(page, await natively({ ...few, do: deeds() }), false);
+    };
+    const kinds = () => deeds().split("~").map((one) => one[0]).join("");
+    await at(0.05, "bump");
+    await at(0.9, "throw");
+    expect(kinds() === "bt", `${kinds()}: both are kept`);
+    await at(0.3, "push");
+    expect(kinds() === "bp", `${kinds()}: the throw came after`);
+    await at(0.01, "lay");
+    expect(kinds() === "l", `${kinds()}: all else came after`);
     await page.context().close();
   });
 

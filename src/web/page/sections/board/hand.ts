@@ -5,6 +5,7 @@ import { scaled } from "../../vector";
 import { action, rate, unit, type Action } from "./actions";
 
 const often = 4;      // moments from one move to the next
+const lasting = 8;    // in so many it would be where the pointer is now
 const high = 0.02;    // [m] over the board it carries them
 const fastest = 1.5;  // [m/s]
 
@@ -30,9 +31,9 @@ export class Hand {
   next(moment: number, at: Vec): ((at: number) => Action[]) | null {
     if (moment < this.#moved + often) return null;
     this.#moved = moment;
-    const way = this.#to.map((x, k) => ((x - at[k]!) * rate) / often) as unknown as Vec, speed = Math.hypot(...way);
+    const way = this.#to.map((x, k) => ((x - at[k]!) * rate) / lasting) as unknown as Vec, speed = Math.hypot(...way);
     const velocity = scaled(unit.speed * Math.min(1, fastest / Math.max(speed, 1e-9)), way);
-    return (when) => [action("h", when, this.id, ...velocity, 2 * often)];
+    return (when) => [action("h", when, this.id, ...velocity, lasting)];
   }
 
   release(): (at: number) => Action[] {
