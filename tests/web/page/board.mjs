@@ -307,6 +307,7 @@ export async function test({ browser, cases, native, C, source }) {
   await case_("tests that it names are there", async () => {
     const page = await open(few);
     await page.locator(`${inside} summary`).last().click();
+    await page.waitForSelector(`${inside} [data-test]`);
     const named = await page.locator(`${inside} [data-test]`).evaluateAll((all) => all.map((one) => one.dataset.test));
     const texts = ["tests", "tests/web"].flatMap((folder) => readdirSync(join(source, folder)).filter((name) => name.endsWith("_test.cpp"))
       .map((name) => readFileSync(join(source, folder, name), "utf8"))).join("\n");
