@@ -95,7 +95,7 @@ export const board: Section = {
       new NumberControl(host, { key, label, unit: unit_, least, greatest, step, value, whole }, changed);
     const c = {
       stones: number(left, "stones", "stones", "", 1, 361, 1, 180, true),
-      height: number(left, "height", "from up to", "mm", 0, 200, 1, 60),
+      height: number(left, "height", "from at most", "mm", 0, 200, 1, 60),
       seed: number(left, "seed", "another chance", "", 1, 9999, 1, 1, true),
       restitution: number(right, "e", "restitution", "", 0, 1, 0.01, 0.4),
       friction: number(right, "mu", "friction", "", 0, 1, 0.01, 0.3),
