@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "arguments.hpp"
+#include "drop_settings.hpp"
 
 struct goishi_drop {
   goishi::Drop<double> drop;
@@ -18,8 +18,6 @@ namespace goishi::c {
 
 namespace {
 
-static_assert(is(FrictionModel::dry, GOISHI_DRY) && is(FrictionModel::slip_proportional, GOISHI_SLIP_PROPORTIONAL) &&
-              is(FrictionModel::coulomb_contensou, GOISHI_COULOMB_CONTENSOU));
 static_assert(is(DropStatus::rest, GOISHI_REST) && is(DropStatus::rest_leaning, GOISHI_REST_LEANING) &&
               is(DropStatus::moving, GOISHI_MOVING) && is(DropStatus::flies_on, GOISHI_FLIES_ON) &&
               is(DropStatus::start_inside, GOISHI_START_INSIDE) &&
@@ -36,37 +34,6 @@ static_assert(is(EventKind::start, GOISHI_KIND_START) && is(EventKind::impact, G
               is(EventKind::side, GOISHI_KIND_SIDE) && is(EventKind::rest, GOISHI_KIND_REST) &&
               is(EventKind::woken, GOISHI_KIND_WOKEN) && is(EventKind::push, GOISHI_KIND_PUSH));
 static_assert(is(Side::before, GOISHI_BEFORE) && is(Side::after, GOISHI_AFTER));
-
-[[nodiscard]] std::optional<double> setting(double value) {
-  return value == GOISHI_UNSET ? std::nullopt : std::optional(value);
-}
-
-[[nodiscard]] DropSettings<double> read_settings(const double* pointer, std::size_t size) {
-  const auto a = read<GOISHI_SETTINGS_SIZE>("settings", pointer, size);
-  DropSettings<double> settings;
-  settings.restitution = a[GOISHI_RESTITUTION];
-  settings.friction = a[GOISHI_FRICTION];
-  settings.gravity = {a[GOISHI_GRAVITY], a[GOISHI_GRAVITY + 1], a[GOISHI_GRAVITY + 2]};
-  settings.rolling_resistance = setting(a[GOISHI_ROLLING_RESISTANCE]);
-  settings.pivot_radius = setting(a[GOISHI_PIVOT_RADIUS]);
-  settings.friction_model =
-      static_cast<FrictionModel>(whole("friction_model", a[GOISHI_FRICTION_MODEL], 0, GOISHI_COULOMB_CONTENSOU));
-  settings.slip_coefficient = setting(a[GOISHI_SLIP_COEFFICIENT]);
-  settings.patch_radius = setting(a[GOISHI_PATCH_RADIUS]);
-  settings.creep_speed = setting(a[GOISHI_CREEP_SPEED]);
-  settings.damping = a[GOISHI_DAMPING];
-  settings.law = static_cast<ImpactLaw>(whole("law", a[GOISHI_LAW], 0, GOISHI_STRONGE));
-  settings.horizon = setting(a[GOISHI_HORIZON]);
-  settings.maximum_impacts = whole("maximum_impacts", a[GOISHI_MAXIMUM_IMPACTS], 1, most_whole);
-  settings.maximum_events = whole("maximum_events", a[GOISHI_MAXIMUM_EVENTS], 1, most_whole);
-  settings.maximum_steps = whole("maximum_steps", a[GOISHI_MAXIMUM_STEPS], 1, most_whole);
-  settings.tolerance = a[GOISHI_TOLERANCE];
-  settings.contact_speed = setting(a[GOISHI_CONTACT_SPEED]);
-  settings.closing_speed = setting(a[GOISHI_CLOSING_SPEED]);
-  settings.edge_speed = setting(a[GOISHI_EDGE_SPEED]);
-  settings.touching = a[GOISHI_TOUCHING];
-  return settings;
-}
 
 [[nodiscard]] std::vector<double> motion_of(const goishi_drop& drop, const State<double>& state) {
   std::vector<double> result;
@@ -85,15 +52,8 @@ extern "C" {
 int goishi_settings(double* settings, size_t settings_size) {
   return guarded([&] {
     require_array("settings", settings, settings_size, GOISHI_SETTINGS_SIZE);
-    const DropSettings<double> own;
-    const auto value = [](const std::optional<double>& one) { return one.value_or(GOISHI_UNSET); };
     std::vector<double> row;
-    Row(row) << own.restitution << own.friction << own.gravity << value(own.rolling_resistance)
-             << value(own.pivot_radius) << as_number(own.friction_model) << value(own.slip_coefficient)
-             << value(own.patch_radius) << value(own.creep_speed) << own.damping << as_number(own.law)
-             << value(own.horizon) << static_cast<double>(own.maximum_impacts)
-             << static_cast<double>(own.maximum_events) << static_cast<double>(own.maximum_steps) << own.tolerance
-             << value(own.contact_speed) << value(own.closing_speed) << value(own.edge_speed) << own.touching;
+    put_settings(Row(row), DropSettings<double>{});
     write(row, settings);
   });
 }

@@ -565,6 +565,131 @@ GOISHI_API int goishi_holds(const double* stone, size_t stone_size, const double
                             const double* ground, size_t ground_size, const double* settings, size_t settings_size,
                             double* hold, size_t hold_size);
 
+// --- A scene
+
+/// What of a scene can be chosen: the settings of a drop for a stone on the board, and behind them these. `scene/settings.hpp`
+/// has the reasons.
+enum {
+  GOISHI_STONES_RESTITUTION = 22,  ///< e of two stones, 0 … 1
+  GOISHI_STONES_FRICTION = 23,     ///< μ of two stones, >= 0, infinity allowed
+  GOISHI_STEP = 24,                ///< [s] of stones that touch several things, or unset
+  GOISHI_SOLVER_TOLERANCE = 25,    ///< of what gravity gives in a step, 0 … 1
+  GOISHI_CLEARANCE = 26,           ///< [m] or unset
+  GOISHI_IMPACT_SPEED = 27,        ///< [m/s] or unset
+  GOISHI_LEAVING_TIME = 28,        ///< [s] or unset
+  GOISHI_SCENE_SETTINGS_SIZE = 29
+};
+
+/// The library's own.   Result  `settings[GOISHI_SCENE_SETTINGS_SIZE]`.
+GOISHI_API int goishi_scene_settings(double* settings, size_t settings_size);
+
+/// A board, and stones on it and over it. One scene is for one thread at a time. What a function does to it does not depend
+/// on how its time was cut before, to the last bit. After GOISHI_OUT_OF_MEMORY only free it.
+typedef struct goishi_scene goishi_scene;
+
+/// Calls  Scene.   Sizes  GOISHI_BOARD_SIZE, GOISHI_SCENE_SETTINGS_SIZE.
+/// Result  `*scene`, to be given to `goishi_scene_free` in the end.
+GOISHI_API int goishi_scene_create(const double* board, size_t board_size, const double* settings, size_t settings_size,
+                                   goishi_scene** scene);
+
+/// Another one in the same state, which goes on as this one does, bit for bit.
+GOISHI_API int goishi_scene_copy(const goishi_scene* scene, goishi_scene** copy);
+
+/// Null is allowed.
+GOISHI_API void goishi_scene_free(goishi_scene* scene);
+
+/// Another stone, which may touch what is there, and overlaps nothing.
+/// Calls  Scene::add.   Result  `*id`, by which it is called: no other ever gets the same.
+GOISHI_API int goishi_scene_add(goishi_scene* scene, const double* stone, size_t stone_size, const double* state,
+                                size_t state_size, size_t* id);
+
+GOISHI_API int goishi_scene_remove(goishi_scene* scene, size_t id);
+
+/// Goes on for a time dt > 0, up to a time that is not before the present, or, for no longer than a horizon > 0, until all
+/// stones rest: then no stone of GOISHI_SCENE_MOVING is left. All are finite   [s].
+/// Calls  Scene::advance, advance_to, run_until_rest.
+GOISHI_API int goishi_scene_advance(goishi_scene* scene, double dt);
+GOISHI_API int goishi_scene_advance_to(goishi_scene* scene, double time);
+GOISHI_API int goishi_scene_run_until_rest(goishi_scene* scene, double horizon);
+
+/// An impulse [N s] at a point [m], both in W, on a stone that no hand holds.   Calls  Scene::apply_impulse.
+GOISHI_API int goishi_scene_push(goishi_scene* scene, size_t id, const double* point, size_t point_size,
+                                 const double* impulse, size_t impulse_size);
+
+/// A hand takes a stone: it moves with a velocity [m/s] and an angular velocity [rad/s], both in W, for a time [s], whatever it
+/// meets, and then stands still until it is told otherwise or let go.
+/// Calls  Scene::hold.   Domain  duration > 0; the way does not lead into board or floor.
+GOISHI_API int goishi_scene_hold(goishi_scene* scene, size_t id, const double* velocity, size_t velocity_size,
+                                 const double* spin, size_t spin_size, double duration);
+
+/// Lets it go, with the velocities that it has.   Calls  Scene::release.   Domain  a stone that is held.
+GOISHI_API int goishi_scene_release(goishi_scene* scene, size_t id);
+
+/// Other settings from now on, gravity among them; what rests wakes if they move it.   Calls  Scene::change.
+GOISHI_API int goishi_scene_change(goishi_scene* scene, const double* settings, size_t settings_size);
+
+/// Where a scene is, and what it cost.
+enum {
+  GOISHI_SCENE_TIME = 0,       ///< [s]
+  GOISHI_SCENE_STONES = 1,     ///< that there are
+  GOISHI_SCENE_MOVING = 2,     ///< of them, those that do not rest: what a hand holds among them
+  GOISHI_SCENE_ENERGY = 3,     ///< [J] of all, that of position zero at the origin of W
+  GOISHI_SCENE_STRETCHES = 4,  ///< and what was computed, as SceneCounters has it
+  GOISHI_SCENE_LOOKS = 5,
+  GOISHI_SCENE_SEPARATIONS = 6,
+  GOISHI_SCENE_PAIR_IMPACTS = 7,
+  GOISHI_SCENE_JOINS = 8,
+  GOISHI_SCENE_STEPS = 9,
+  GOISHI_SCENE_STONE_STEPS = 10,
+  GOISHI_SCENE_CUT_STEPS = 11,
+  GOISHI_SCENE_RETRIES = 12,
+  GOISHI_SCENE_SOLVES = 13,
+  GOISHI_SCENE_SWEEPS = 14,
+  GOISHI_SCENE_UPDATES = 15,
+  GOISHI_SCENE_UNSOLVED = 16,
+  GOISHI_SCENE_REST_TRIALS = 17,
+  GOISHI_SCENE_SIZE = 18
+};
+
+GOISHI_API int goishi_scene_info(const goishi_scene* scene, double* info, size_t info_size);
+
+/// How a stone of a scene goes on.
+enum {
+  GOISHI_MODE_FLIGHT = 0,
+  GOISHI_MODE_CONTACT = 1,  ///< alone on the board
+  GOISHI_MODE_CLUSTER = 2,  ///< with others
+  GOISHI_MODE_REST = 3,
+  GOISHI_MODE_HELD = 4  ///< by a hand
+};
+
+enum {
+  GOISHI_SCENE_STONE_ID = 0,
+  GOISHI_SCENE_STONE_MODE = 1,    ///< GOISHI_MODE_FLIGHT …
+  GOISHI_SCENE_STONE_WORK = 2,    ///< [J] what hands have done to other stones through it
+  GOISHI_SCENE_STONE_MOTION = 3,  ///< the present motion
+  GOISHI_SCENE_STONE_SIZE = 20
+};
+
+/// The stones in the order in which they were added, from the one with the place `first` on, counted from 0.
+/// Calls   Scene::state, mode, work.
+/// Result  `rows`, as many as it has room for, its size a multiple of GOISHI_SCENE_STONE_SIZE; so many there must be.
+GOISHI_API int goishi_scene_stones(const goishi_scene* scene, size_t first, double* rows, size_t rows_size);
+
+/// What touches, and how it pushes.
+enum {
+  GOISHI_SCENE_CONTACT_STONE = 0,   ///< id
+  GOISHI_SCENE_CONTACT_OTHER = 1,   ///< id, or −1: the board or the floor
+  GOISHI_SCENE_CONTACT_POINT = 2,   ///< [m] in W
+  GOISHI_SCENE_CONTACT_NORMAL = 5,  ///< unit, out of the other towards the stone
+  GOISHI_SCENE_CONTACT_FORCE = 8,   ///< [N] on the stone, the mean of a step or a stretch; NaN where it is not known
+  GOISHI_SCENE_CONTACT_SIZE = 11
+};
+
+/// Calls   Scene::contacts.
+/// Result  `*count`, how many there are; `rows`, the first of them, as many as there are and it has room for, its size a
+///         multiple of GOISHI_SCENE_CONTACT_SIZE. The others are as they were.
+GOISHI_API int goishi_scene_contacts(const goishi_scene* scene, double* rows, size_t rows_size, size_t* count);
+
 #ifdef __cplusplus
 }  // extern "C"
 #endif

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -29,6 +30,21 @@ static_assert(is(StepStatus::completed, GOISHI_COMPLETED) && is(StepStatus::dive
   return 2.0 * scalar::atan2(detail::length(Vec3<double>(turn.vec())), std::abs(turn.w()));
 }
 
+/// q/|q|. Sums have one order, whatever vectors the processor has, so that the bits are the same everywhere.
+[[nodiscard]] Quat<double> unit(const char* name, const Quat<double>& q) {
+  double most = 0.0, square = 0.0;
+  for (const double part : {q.w(), q.x(), q.y(), q.z()}) {
+    require(std::isfinite(part), name, part, "must be finite");
+    most = std::max(most, std::abs(part));
+  }
+  require(0.0 < most, name, most, "must have a length that is not 0");
+  for (const double part : {q.w(), q.x(), q.y(), q.z()}) {
+    square += scalar::sq(part / most);
+  }
+  const double length = std::sqrt(square);
+  return {q.w() / most / length, q.x() / most / length, q.y() / most / length, q.z() / most / length};
+}
+
 }  // namespace
 }  // namespace goishi::c
 
@@ -44,9 +60,7 @@ int goishi_state(const double* stone, size_t stone_size, const double* pose, siz
     const Pose<double> there = read_pose("pose", pose, pose_size);
     const Vec v_WB = read_vector("velocity", velocity, velocity_size), w_WB_B = read_vector("spin", spin, spin_size);
     require_array("state", state, state_size, GOISHI_STATE_SIZE);
-    const double length = there.q_WB.coeffs().stableNorm();
-    require(0.0 < length && scalar::is_finite(length), "attitude", length, "must have a length that is not 0");
-    const Quat<double> q_WB(Eigen::Vector4d(there.q_WB.coeffs().stableNormalized()));
+    const Quat<double> q_WB = unit("attitude", there.q_WB);
     require(scalar::is_finite(w_WB_B), "spin", w_WB_B.transpose(), "must be finite");
     const State<double> result{
         .p_WB = there.p_WB, .q_WB = q_WB, .v_WB = v_WB, .L_W = formula::angular_momentum_W<double>(q_WB, body, w_WB_B)};

@@ -78,6 +78,7 @@ TEST(BadCall, NullIsRefused) {
     }
   }
   goishi_drop_free(nullptr);
+  goishi_scene_free(nullptr);
 }
 
 TEST(BadCall, WrongSizesAreRefused) {
@@ -182,6 +183,18 @@ TEST(BadCall, TheRulesOfWhatArraysStandFor) {
   expect_refused("goishi_drop_create", "settings", GOISHI_ROLLING_RESISTANCE, -2.0, "rolling_resistance = -2: ");
   expect_refused("goishi_drop_change", "settings", GOISHI_TOLERANCE, 0.0, "tolerance = 0: ");
   expect_refused("goishi_drop_motions", "times", 0, 0.2, "time = 0.2: is after what has been computed");
+  expect_refused("goishi_scene_create", "board", GOISHI_BOARD_LINES, 0.5, "lines = 0.5: ");
+  expect_refused("goishi_scene_create", "settings", GOISHI_TOLERANCE, 0.0, "tolerance = 0: ");
+  expect_refused("goishi_scene_create", "settings", GOISHI_STONES_RESTITUTION, 1.5, "restitution = 1.5: ");
+  expect_refused("goishi_scene_create", "settings", GOISHI_STONES_FRICTION, -1.0, "friction = -1: ");
+  expect_refused("goishi_scene_create", "settings", GOISHI_STEP, 0.0, "step = 0: ");
+  expect_refused("goishi_scene_create", "settings", GOISHI_CLEARANCE, -2.0, "clearance = -2: ");
+  expect_refused("goishi_scene_change", "settings", GOISHI_SOLVER_TOLERANCE, 2.0, "solver_tolerance = 2: ");
+  expect_refused("goishi_scene_change", "settings", GOISHI_IMPACT_SPEED, 0.0, "impact_speed = 0: ");
+  expect_refused("goishi_scene_change", "settings", GOISHI_LEAVING_TIME, infinity, "leaving_time = inf: ");
+  expect_refused("goishi_scene_change", "settings", GOISHI_ROLLING_RESISTANCE, 0.1, "rolling_resistance = 0.1: ");
+  expect_refused("goishi_scene_add", "state", 2, 0.001, "position = ");
+  expect_refused("goishi_scene_hold", "velocity", 2, -0.1, "v_WB = ");
   expect_refused("goishi_drop_motions", "times", 1, -0.1, "time = -0.1: is before the motion that is kept");
 }
 

@@ -1,59 +1,15 @@
-#include "tests/web/calls.hpp"
+#include "tests/web/call_parts.hpp"
 
 #include <climits>
 #include <cstdlib>
-#include <limits>
-#include <tuple>
 #include <utility>
+#include <vector>
 
 namespace goishi::web_test {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
-
-const std::vector<double> stone = {0.022, 0.0092, 0.001, 0.0, 2800.0, 0.0};
-const std::vector<double> state = {0.01, -0.02, 0.05, 0.8, 0.6, 0.0, 0.0, 0.1, 0.0, -0.2, 1e-6, -2e-6, 3e-6};
-const std::vector<double> pose(state.begin(), state.begin() + GOISHI_POSE_SIZE);
-const std::vector<double> other_state = {0.01, -0.02, 0.01, 0.6, 0.0, 0.8, 0.0, 0.0, 0.0, 0.5, 0.0, 1e-6, 0.0};
-const std::vector<double> other_pose(other_state.begin(), other_state.begin() + GOISHI_POSE_SIZE);
-const std::vector<double> gravity = {0.0, 0.0, -9.80665};
-const std::vector<double> point = {0.015, -0.02, 0.046}, normal = {0.0, 0.0, 1.0};
-const std::vector<double> impulse = {1e-4, -2e-4, 1e-3};
-const std::vector<double> board = {19.0, 0.022, 0.0237, 0.0141, 0.01395, 0.1515, 0.0};
-const std::vector<double> plane = {0.0, 0.0, 1.0, 0.0};
-
-std::vector<double> settings() {
-  std::vector<double> result(GOISHI_SETTINGS_SIZE);
-  if (goishi_settings(result.data(), result.size()) != GOISHI_OK) {
-    std::abort();
-  }
-  return result;
-}
-
-Array in(const char* name, const std::vector<double>& values, Kind kind = Kind::numbers) {
-  return {.name = name, .values = values, .kind = kind};
-}
-
-Array out(const char* name, std::size_t size, bool rows = false, Kind kind = Kind::numbers) {
-  return {.name = name, .values = std::vector<double>(size, 77.0), .output = true, .rows = rows, .kind = kind};
-}
-
 const Array the_drop = in("drop", {0.0}, Kind::drop), new_drop = out("drop", 1, false, Kind::new_drop);
-
-int as_int(long long value) {
-  return static_cast<int>(value);
-}
-
-/// Runs a function that has arrays of numbers and nothing else.
-template <auto function, std::size_t... i>
-int with(const Views& a, std::index_sequence<i...> /*places*/) {
-  return std::apply(function, std::tuple_cat(std::make_tuple(a[i].numbers(), a[i].size)...));
-}
-template <auto function, std::size_t count>
-int arrays_only(const Views& a, const Wholes& /*none*/, const Scalars& /*none*/) {
-  return with<function>(a, std::make_index_sequence<count>());
-}
 
 std::vector<Call> shape_calls() {
   const Array fineness = in("fineness", {2.0, 3.0, 4.0}, Kind::ints);
@@ -313,7 +269,8 @@ std::vector<Call> drop_calls() {
 
 std::vector<Call> all_calls() {
   std::vector<Call> result = shape_calls();
-  for (std::vector<Call>& more : std::vector<std::vector<Call>>{motion_calls(), contact_calls(), drop_calls()}) {
+  for (std::vector<Call>& more :
+       std::vector<std::vector<Call>>{motion_calls(), contact_calls(), drop_calls(), scene_calls()}) {
     for (Call& call : more) {
       result.push_back(std::move(call));
     }

@@ -13,9 +13,9 @@
 
 namespace goishi::web_test {
 
-enum class Kind { numbers, ints, corners, size, integer, drop, new_drop };
+enum class Kind { numbers, ints, corners, size, integer, drop, new_drop, scene, new_scene };
 
-/// An argument that is a pointer. The kinds `size` to `new_drop` come without a size.
+/// An argument that is a pointer. The kinds from `size` on come without a size.
 struct Array {
   std::string name;
   std::vector<double> values;  // of an output, what stands there before
@@ -49,6 +49,8 @@ struct View {
   [[nodiscard]] std::size_t* sizes() const { return static_cast<std::size_t*>(pointer); }
   [[nodiscard]] goishi_drop* drop() const { return static_cast<goishi_drop*>(pointer); }
   [[nodiscard]] goishi_drop** new_drop() const { return static_cast<goishi_drop**>(pointer); }
+  [[nodiscard]] goishi_scene* scene() const { return static_cast<goishi_scene*>(pointer); }
+  [[nodiscard]] goishi_scene** new_scene() const { return static_cast<goishi_scene**>(pointer); }
 };
 
 using Views = std::vector<View>;
@@ -67,6 +69,9 @@ struct Call {
 
 /// A drop that has fallen for a tenth of a second, with its motion kept.
 [[nodiscard]] goishi_drop* falling_drop();
+
+/// A scene of three stones: 0 falls, 1 lies on the board, 2 is held by a hand.
+[[nodiscard]] goishi_scene* busy_scene();
 
 /// The memory of an array's argument, no byte longer than it is.
 class Memory {
@@ -87,6 +92,7 @@ class Memory {
   Kind kind_;
   std::unique_ptr<unsigned char[]> data_;
   goishi_drop* drop_ = nullptr;
+  goishi_scene* scene_ = nullptr;
 };
 
 }  // namespace goishi::web_test

@@ -31,6 +31,8 @@ class Fuzz {
     const Call& call = calls_[below(calls_.size())];
     if (call.name == "goishi_drop_create" && below(2) == 0) {
       drop_life(call);
+    } else if (call.name == "goishi_scene_create" && below(2) == 0) {
+      scene_life(call);
     } else {
       make(call, spoilt(call));
     }
@@ -48,7 +50,8 @@ class Fuzz {
                   counts[GOISHI_INVALID_ARGUMENT], seen ? "" : ": not as it must be");
     }
     std::printf("drops: %ld steps of their lives, %ld came to rest\n", steps_, rests_);
-    return good && 0 < rests_;
+    std::printf("scenes: %ld steps of their lives, %ld came to rest\n", scene_steps_, scene_rests_);
+    return good && 0 < rests_ && 0 < scene_rests_;
   }
 
  private:
@@ -112,7 +115,9 @@ class Fuzz {
       result.wholes.push_back(value);
     }
     for (const Scalar& scalar : call.scalars) {
-      result.scalars.push_back(below(4) == 0 ? number(scalar.value) : scalar.value);
+      const double value = below(4) == 0 ? number(scalar.value) : scalar.value;
+      // A scene has no budget: it goes on for as long as it is told to.
+      result.scalars.push_back(call.name.starts_with("goishi_scene_") ? std::fmin(value, 1.0) : value);
     }
     return result;
   }
@@ -215,10 +220,112 @@ class Fuzz {
     }
   }
 
+  /// A scene of some stones, and what can be done to it, in any order. Of its settings those are not spoilt that say how much
+  /// is computed, for it has no budget.
+  void scene_life(const Call& create) {
+    Arguments arguments = spoilt(create);
+    std::vector<double>& settings = arguments.arrays[1].values;
+    const std::vector<double> good = create.arrays[1].values;
+    for (std::size_t k = 0; k < good.size(); ++k) {
+      settings[k] = k < GOISHI_FRICTION_MODEL || k == GOISHI_STONES_RESTITUTION || k == GOISHI_STONES_FRICTION
+                        ? settings[k]
+                        : good[k];
+    }
+    for (const std::size_t k : {0, 1, 2}) {
+      settings[GOISHI_GRAVITY + k] = good[GOISHI_GRAVITY + k];
+    }
+    settings[GOISHI_TOLERANCE] = 1e-4;
+    std::vector<Memory> memory;
+    Views views;
+    for (const Array& array : arguments.arrays) {
+      memory.emplace_back(array);
+      views.push_back(memory.back().view());
+    }
+    count(create.name, create.run(views, arguments.wholes, arguments.scalars));
+    goishi_scene* scene = *views.back().new_scene();
+    for (std::size_t i = below(12); scene != nullptr && 0 < i; --i) {
+      ++scene_steps_;
+      step(scene, views[1]);
+    }
+  }
+
+  void step(goishi_scene* scene, const View& settings) {
+    std::array<double, GOISHI_SCENE_SIZE> info{};
+    count("goishi_scene_info", goishi_scene_info(scene, info.data(), info.size()));
+    scene_rests_ += 0.0 < info[GOISHI_SCENE_STONES] && info[GOISHI_SCENE_MOVING] == 0.0 ? 1 : 0;
+    const std::size_t stones = static_cast<std::size_t>(info[GOISHI_SCENE_STONES]), id = below(stones + 1);
+    const auto odd = [&](double usual) {
+      return below(12) != 0 ? usual : below(2) == 0 ? 8.0 * usual : std::numeric_limits<double>::quiet_NaN();
+    };
+    const std::array<double, 3> point = {odd(0.01), odd(0.0), odd(0.005)};
+    switch (below(9)) {
+      case 0: {
+        count("goishi_scene_advance", goishi_scene_advance(scene, 0.05));
+        break;
+      }
+      case 1:
+        count("goishi_scene_run_until_rest", goishi_scene_run_until_rest(scene, 3.0));
+        break;
+      case 2: {
+        const std::array<double, 3> impulse = {odd(1e-4), odd(-1e-4), odd(1e-4)};
+        count("goishi_scene_push", goishi_scene_push(scene, id, point.data(), 3, impulse.data(), 3));
+        break;
+      }
+      case 3: {
+        const std::array<double, 3> velocity = {odd(0.05), odd(0.0), odd(0.05)}, spin = {0.0, odd(1.0), odd(1.0)};
+        count("goishi_scene_hold", goishi_scene_hold(scene, id, velocity.data(), 3, spin.data(), 3, odd(0.1)));
+        break;
+      }
+      case 4:
+        count("goishi_scene_release", goishi_scene_release(scene, id));
+        break;
+      case 5:
+        count("goishi_scene_remove", goishi_scene_remove(scene, id));
+        break;
+      case 6: {
+        settings.numbers()[GOISHI_GRAVITY] = 0.1 * static_cast<double>(below(20));
+        count("goishi_scene_change", goishi_scene_change(scene, settings.numbers(), settings.size));
+        break;
+      }
+      case 7: {
+        goishi_scene* copy = nullptr;
+        count("goishi_scene_copy", goishi_scene_copy(scene, &copy));
+        count("goishi_scene_advance", goishi_scene_advance(copy, 0.01));
+        std::vector<double> rows((stones + 1) * GOISHI_SCENE_STONE_SIZE);
+        std::size_t contacts = 0;
+        count("goishi_scene_contacts", goishi_scene_contacts(copy, rows.data(), GOISHI_SCENE_CONTACT_SIZE, &contacts));
+        count("goishi_scene_stones", goishi_scene_stones(copy, below(2), rows.data(), rows.size()));
+        goishi_scene_free(copy);
+        break;
+      }
+      default: {
+        const double tilt = 0.1 * static_cast<double>(below(7));
+        const std::array<double, GOISHI_STONE_SIZE> stone = {0.022, 0.0092, 0.001, 0.0, 2800.0, 0.0};
+        const std::array<double, GOISHI_STATE_SIZE> state = {0.01 * static_cast<double>(below(8)),
+                                                             odd(0.0),
+                                                             0.012 + 0.01 * static_cast<double>(below(8)),
+                                                             std::sqrt(1.0 - tilt * tilt),
+                                                             tilt,
+                                                             0.0,
+                                                             0.0,
+                                                             odd(0.1),
+                                                             0.0,
+                                                             odd(-0.1),
+                                                             odd(1e-6),
+                                                             0.0,
+                                                             0.0};
+        std::size_t added = 0;
+        count("goishi_scene_add",
+              goishi_scene_add(scene, stone.data(), stone.size(), state.data(), state.size(), &added));
+        break;
+      }
+    }
+  }
+
   std::mt19937_64 random_;
   std::vector<Call> calls_;
   std::map<std::string, std::array<long, 4>> counts_;
-  long wrong_ = 0, steps_ = 0, rests_ = 0;
+  long wrong_ = 0, steps_ = 0, rests_ = 0, scene_steps_ = 0, scene_rests_ = 0;
 };
 
 }  // namespace

@@ -20,9 +20,11 @@ std::size_t element_size(Kind kind) {
       return sizeof(std::size_t);
     case Kind::drop:
     case Kind::new_drop:
+    case Kind::scene:
+    case Kind::new_scene:
       break;
   }
-  return sizeof(goishi_drop*);
+  return sizeof(void*);
 }
 
 }  // namespace
@@ -32,8 +34,9 @@ Memory::Memory(const Array& array)
       size_(count_ * element_size(array.kind)),
       kind_(array.kind),
       data_(new unsigned char[size_]) {
-  if (kind_ == Kind::drop) {
-    drop_ = falling_drop();
+  if (kind_ == Kind::drop || kind_ == Kind::scene) {
+    drop_ = kind_ == Kind::drop ? falling_drop() : nullptr;
+    scene_ = kind_ == Kind::scene ? busy_scene() : nullptr;
     return;
   }
   for (std::size_t i = 0; i < count_; ++i) {
@@ -57,7 +60,9 @@ Memory::Memory(const Array& array)
         break;
       case Kind::drop:
       case Kind::new_drop:
-        put(static_cast<goishi_drop*>(nullptr));
+      case Kind::scene:
+      case Kind::new_scene:
+        put(static_cast<void*>(nullptr));
         break;
     }
   }
@@ -68,22 +73,27 @@ Memory::Memory(Memory&& other) noexcept
       size_(other.size_),
       kind_(other.kind_),
       data_(std::move(other.data_)),
-      drop_(std::exchange(other.drop_, nullptr)) {}
+      drop_(std::exchange(other.drop_, nullptr)),
+      scene_(std::exchange(other.scene_, nullptr)) {}
 
 Memory::~Memory() {
   if (data_ && kind_ == Kind::new_drop) {
     std::memcpy(&drop_, data_.get(), sizeof(drop_));
+  } else if (data_ && kind_ == Kind::new_scene) {
+    std::memcpy(&scene_, data_.get(), sizeof(scene_));
   }
   goishi_drop_free(drop_);
+  goishi_scene_free(scene_);
 }
 
 View Memory::view() const {
-  return {.pointer = kind_ == Kind::drop ? static_cast<void*>(drop_) : static_cast<void*>(data_.get()), .size = count_};
+  void* const own = drop_ != nullptr ? static_cast<void*>(drop_) : static_cast<void*>(scene_);
+  return {.pointer = kind_ == Kind::drop || kind_ == Kind::scene ? own : data_.get(), .size = count_};
 }
 
 std::vector<unsigned char> Memory::bytes() const {
-  return kind_ == Kind::drop ? std::vector<unsigned char>{}
-                             : std::vector<unsigned char>(data_.get(), data_.get() + size_);
+  return kind_ == Kind::drop || kind_ == Kind::scene ? std::vector<unsigned char>{}
+                                                     : std::vector<unsigned char>(data_.get(), data_.get() + size_);
 }
 
 }  // namespace goishi::web_test

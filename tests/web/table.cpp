@@ -2,7 +2,8 @@
 ///
 ///     {"function": "goishi_measures", "arguments": [{"in": [bits]}, {"out": 19}], "result": [bits]}
 ///
-/// A number is its 64 bits in hexadecimal. The function "drop" is `goishi_drop_create`, `_advance` and `_info`.
+/// A number is its 64 bits in hexadecimal. The function "drop" is `goishi_drop_create`, `_advance` and `_info`; "scene" is
+/// `goishi_scene_create`, `_add` for each stone and its state, `_advance` a hundred times, and `_stones`.
 
 #include <array>
 #include <cmath>
@@ -101,6 +102,10 @@ int main() {
                momentum(state.begin() + GOISHI_MOMENTUM, state.end());
     status = goishi_free_rotation(AS_ARRAY(moments), AS_ARRAY(attitude), AS_ARRAY(momentum), 0.25, AS_ARRAY(rotation));
     Case("goishi_free_rotation").in(moments).in(attitude).in(momentum).number(0.25).out(7).gives(status, rotation);
+    const List place = {0.01, 0.02, 0.03, 1.0, attitude[1], attitude[2], attitude[3]}, spin = others.vector(20.0);
+    List start(GOISHI_STATE_SIZE);
+    status = goishi_state(AS_ARRAY(stone), AS_ARRAY(place), AS_ARRAY(gravity), AS_ARRAY(spin), AS_ARRAY(start));
+    Case("goishi_state").in(stone).in(place).in(gravity).in(spin).out(start.size()).gives(status, start);
   }
   for (int i = 0; i < 150; ++i) {
     const List stone = samples.stone(), other = samples.stone(), state = samples.state(), other_state = samples.state();
@@ -213,6 +218,31 @@ int main() {
     status += goishi_drop_advance(drop, 0.2) + goishi_drop_info(drop, AS_ARRAY(info));
     goishi_drop_free(drop);
     Case("drop").in(stone).in(state).in(board).in(settings).number(0.2).out(info.size()).gives(status, info);
+  }
+  // Some stones fall on one another, for a hundred steps: impacts, clusters.
+  List scene_settings(GOISHI_SCENE_SETTINGS_SIZE);
+  const int scene_settings_status = goishi_scene_settings(AS_ARRAY(scene_settings));
+  Case("goishi_scene_settings").out(scene_settings.size()).gives(scene_settings_status, scene_settings);
+  scene_settings[GOISHI_TOLERANCE] = 1e-6;
+  for (int i = 0; i < 8; ++i) {
+    List stones, rows(6 * GOISHI_SCENE_STONE_SIZE);
+    goishi_scene* scene = nullptr;
+    int status = goishi_scene_create(AS_ARRAY(board), AS_ARRAY(scene_settings), &scene);
+    for (int k = 0; k < 6; ++k) {
+      const List stone = samples.stone();
+      List state = samples.state();
+      state[2] += 0.04 * k - 0.02;
+      std::size_t id = 0;
+      status += goishi_scene_add(scene, AS_ARRAY(stone), AS_ARRAY(state), &id);
+      stones.insert(stones.end(), stone.begin(), stone.end());
+      stones.insert(stones.end(), state.begin(), state.end());
+    }
+    for (int k = 0; k < 100; ++k) {
+      status += goishi_scene_advance(scene, 0.004);
+    }
+    status += goishi_scene_stones(scene, 0, AS_ARRAY(rows));
+    goishi_scene_free(scene);
+    Case("scene").in(board).in(scene_settings).in(stones).number(0.004).out(rows.size()).gives(status, rows);
   }
   std::printf("\n]\n");
   return 0;

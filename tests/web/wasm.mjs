@@ -60,13 +60,26 @@ function drop([stone, state, ground, settings, dt, info]) {
   return values;
 }
 
+/** The stones of a scene after a hundred steps. */
+function scene([board, settings, stones, dt, rows]) {
+  const [handle] = call("goishi_scene_create", [board, settings, { one: 0 }]).set, one = { whole: handle };
+  const each = 6 + 13; // a stone and its state
+  for (let i = 0; i < stones.in.length; i += each) {
+    call("goishi_scene_add", [one, { in: stones.in.slice(i, i + 6) }, { in: stones.in.slice(i + 6, i + each) }, { one: 0 }]);
+  }
+  for (let i = 0; i < 100; ++i) call("goishi_scene_advance", [one, dt]);
+  const { values } = call("goishi_scene_stones", [one, { whole: 0 }, rows]);
+  goishi._goishi_scene_free(handle);
+  return values;
+}
+
 let failures = 0, numbers = 0;
 const complain = (index, text) => {
   if (++failures <= 20) console.error(`case ${index}, ${table[index].function}: ${text}`);
 };
 
 table.forEach((one, index) => {
-  const got = one.function === "drop" ? drop(one.arguments) : call(one.function, one.arguments).values;
+  const got = { drop, scene }[one.function]?.(one.arguments) ?? call(one.function, one.arguments).values;
   one.result.forEach((expected, i) => {
     ++numbers;
     const a = number(got[i]), b = number(expected);

@@ -221,6 +221,22 @@ export class Goishi {
   holds(stone: Numbers, pose: Numbers, ground: Numbers, settings: Numbers): Numbers {
     return this.#numbers("holds", stone, pose, ground, settings, doubles(C.HOLD_SIZE));
   }
+
+  // --- A scene
+
+  sceneSettings(): Numbers {
+    return this.#numbers("scene_settings", doubles(C.SCENE_SETTINGS_SIZE));
+  }
+
+  /** To be freed by `free()`. */
+  scene(board: Numbers, settings: Numbers): StoneScene {
+    return this.#scene(this.#numbers("scene_create", board, settings, one)[0]!);
+  }
+
+  #scene(handle: number): StoneScene {
+    return new StoneScene(handle, (name, ...given) => this.#call(`scene_${name}`, ...given), (other) => this.#scene(other),
+      () => this.#module._goishi_scene_free!(handle));
+  }
 }
 
 /** A stone under way. */
@@ -262,6 +278,68 @@ export class Drop {
   motions(times: readonly number[] | Numbers, side: number = C.AFTER): Numbers[] {
     if (times.length === 0) return [];
     return rowsOf(this.#call("motions", this.#handle, times, side, doubles(times.length * C.MOTION_SIZE)), C.MOTION_SIZE);
+  }
+}
+
+/** A board with many stones: a scene of the library, whose name the drawings have, too. */
+export class StoneScene {
+  readonly #handle: number;
+  readonly #call: (name: string, ...given: readonly Argument[]) => Numbers[];
+  readonly #other: (handle: number) => StoneScene;
+  readonly free: () => void;
+
+  constructor(handle: number, call: (name: string, ...given: readonly Argument[]) => Numbers[], other: (handle: number) => StoneScene,
+              free: () => void) {
+    this.#handle = handle;
+    this.#call = call;
+    this.#other = other;
+    this.free = free;
+  }
+
+  /** To be freed, too. */
+  copy(): StoneScene {
+    return this.#other(this.#call("copy", this.#handle, one)[0]![0]!);
+  }
+
+  /** Its id. */
+  add(stone: Numbers, state: Numbers): number {
+    return this.#call("add", this.#handle, stone, state, one)[0]![0]!;
+  }
+
+  advanceTo(time: number): void {
+    this.#call("advance_to", this.#handle, time);
+  }
+
+  push(id: number, point: Vec, impulse: Vec): void {
+    this.#call("push", this.#handle, id, point, impulse);
+  }
+
+  /** With a velocity and without turning, for a time. */
+  hold(id: number, velocity: Vec, duration: number): void {
+    this.#call("hold", this.#handle, id, velocity, [0, 0, 0], duration);
+  }
+
+  release(id: number): void {
+    this.#call("release", this.#handle, id);
+  }
+
+  change(settings: Numbers): void {
+    this.#call("change", this.#handle, settings);
+  }
+
+  info(): Numbers {
+    return this.#call("info", this.#handle, doubles(C.SCENE_SIZE))[0]!;
+  }
+
+  /** Rows of SCENE_STONE_SIZE, of `count` stones, which it has. */
+  stones(count: number): Numbers {
+    return count === 0 ? new Float64Array() : this.#call("stones", this.#handle, 0, doubles(count * C.SCENE_STONE_SIZE))[0]!;
+  }
+
+  /** One array of SCENE_CONTACT_SIZE for each contact, of which there are at most `most`. */
+  contacts(most: number): Numbers[] {
+    const [rows, count] = this.#call("contacts", this.#handle, doubles(most * C.SCENE_CONTACT_SIZE), one) as [Numbers, Numbers];
+    return rowsOf(rows, C.SCENE_CONTACT_SIZE).slice(0, count[0]!);
   }
 }
 

@@ -26,6 +26,8 @@ export interface FigureOptions {
   still?: Scene;
   /** Something to hold where the ray meets it; null: the view turns. */
   grip?: (caster: Raycaster) => Grip | null;
+  /** Pressed and let go without a movement. */
+  click?: (caster: Raycaster) => void;
   /** Called before each picture. */
   before?: () => void;
 }
@@ -192,18 +194,21 @@ export class Figure {
 
   #listen(): void {
     const { element } = this;
-    let grip: Grip | null = null, startX = 0, startY = 0, lastX = 0, lastY = 0, held = -1;
+    let grip: Grip | null = null, startX = 0, startY = 0, lastX = 0, lastY = 0, held = -1, still = true;
     element.addEventListener("pointerdown", (event) => {
       if (event.button !== 0 || held !== -1) return;
       held = event.pointerId;
       element.setPointerCapture(held);
       [startX, startY] = [lastX, lastY] = [event.clientX, event.clientY];
+      still = true;
       grip = this.#options.grip?.(this.#caster(startX, startY)) ?? null;
       element.classList.toggle("held", grip !== null);
     });
     element.addEventListener("pointermove", (event) => {
       if (event.pointerId !== held) return;
       const [x, y] = [event.clientX, event.clientY];
+      still &&= Math.hypot(x - startX, y - startY) < 4;
+      if (this.#options.click && still) return; // it may become a click
       if (grip) grip.move(this.#caster(x, y).ray, x - startX, y - startY);
       else this.#turn(-(x - lastX) * 0.008, (y - lastY) * 0.006);
       [lastX, lastY] = [x, y];
@@ -213,6 +218,7 @@ export class Figure {
       held = -1;
       grip?.end();
       grip = null;
+      if (still && event.type === "pointerup") this.#options.click?.(this.#caster(event.clientX, event.clientY));
       element.classList.remove("held");
     };
     element.addEventListener("pointerup", end);

@@ -9,6 +9,11 @@ export class Refusal {
     host.append(this.#said);
   }
 
+  /** What the page refuses by itself. */
+  because(text: string): never {
+    throw new Refused(text);
+  }
+
   /** Whether the library takes what is asked of it. */
   takes(compute: () => void): boolean {
     try {

@@ -4,7 +4,7 @@ import { Color, ColorManagement, LinearSRGBColorSpace, WebGLRenderer } from "thr
 import { Figure, type FigureOptions } from "./figure";
 import { onTheme } from "./look";
 
-const scales = [1, 1.5, 2] as const; // pixels per CSS pixel while something moves
+const scales = [0.7, 1, 1.5, 2] as const; // pixels per CSS pixel while something moves: below 1 where no graphics card draws
 const slow = 20, fast = 17.5;        // [ms] of a frame: five slow ones lower the scale, ninety fast ones raise it
 const settle = 140;                  // [ms] after the last picture until it is drawn once more, as finely as it can be
 
@@ -23,6 +23,7 @@ export class Stage {
   #live: Figure | null = null;
   #frame = 0;
   #last = 0;
+  #drawn = 0; // when the last picture was
   #scale = 1;
   #finest = 2; // that a moving picture may become
   #slow = 0;
@@ -113,9 +114,10 @@ export class Stage {
     }
     const moving = this.#steps.size > 0;
     this.#last = moving ? now : 0;
-    if (moving && between > 0) this.#adapt(between);
     for (const figure of [...this.#dirty]) {
       if (!figure.visible) continue;
+      if (now - this.#drawn < 300) this.#adapt(now - this.#drawn); // one of several: something plays, or a hand turns it
+      this.#drawn = now;
       this.#dirty.delete(figure);
       this.#draw(figure, this.#scale);
       this.#coarse.add(figure);

@@ -22,6 +22,8 @@ export interface TransportOptions {
   decimals?: number;
   /** The grid that steps go along where there are no marks   [s]; a hundredth of all unless it is said. */
   step?: () => number;
+  /** Where what is to come is not computed yet: goes on towards a time, and says how far it came, and whether nothing is after it. */
+  reach?: (time: number) => { time: number; over: boolean };
   /** Shows the time. `stopped` says that it will not go on by itself, so words for screen readers may follow. */
   show: (time: number, stopped: boolean) => void;
 }
@@ -92,6 +94,15 @@ export class Transport {
     this.seek(Math.min(this.#now, this.#end));
   }
 
+  /** The same with the time as it goes: its end has moved. */
+  extend(end: number): void {
+    if (end === this.#end) return;
+    this.#list.forEach((mark, i) => ((this.#marks.children[i] as HTMLElement).style.left = `${((100 * mark.time) / end).toFixed(3)}%`));
+    this.#end = end;
+    this.#share = -1;
+    if (!this.playing) this.#write();
+  }
+
   get time(): number {
     return this.#now;
   }
@@ -119,6 +130,7 @@ export class Transport {
   seek(time: number): void {
     this.pause(false);
     this.#now = Math.min(this.#end, Math.max(0, time));
+    if (this.#o.reach) this.#now = this.#o.reach(this.#now).time;
     this.#write();
     this.#o.show(this.#now, true);
   }
@@ -152,7 +164,7 @@ export class Transport {
     if (playing && playing !== this) playing.pause();
     playing = this;
     this.#direction = direction;
-    if (direction > 0 && this.#now >= this.#end) this.#now = 0;
+    if (direction > 0 && (this.#o.reach ? this.#o.reach(this.#now).over : this.#now >= this.#end)) this.#now = 0;
     if (direction < 0 && this.#now <= 0) this.#now = this.#end;
     this.#stage.animate(this, (dt) => this.#tick(dt));
     this.#label();
@@ -174,7 +186,8 @@ export class Transport {
   #tick(dt: number): boolean {
     if (playing !== this) return false;
     this.#now += (this.#direction * dt) / this.#speed;
-    const over = this.#direction > 0 ? this.#now >= this.#end : this.#now <= 0;
+    let over = this.#direction > 0 ? this.#now >= this.#end : this.#now <= 0;
+    if (this.#o.reach && this.#direction > 0) ({ time: this.#now, over } = this.#o.reach(this.#now));
     this.#now = Math.min(this.#end, Math.max(0, this.#now));
     if (over) playing = null;
     this.#unread += dt;

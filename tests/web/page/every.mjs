@@ -274,6 +274,8 @@ export async function every(id, browser, cases, report) {
         await settle(page);
         const wider = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
         expect(wider <= 0, `the page is ${wider} px wider than the window`);
+        await page.locator(inside).evaluate((one) => one.scrollIntoView()); // now the sections around it are started, too, and it stays where it is
+        await settle(page);
         await page.locator(inside).screenshot({ path: join(report, `${id}-${width}-${scheme}.png`) });
         await page.context().close();
       });

@@ -30,7 +30,7 @@ for (const id of parts.filter((part) => part !== "whole")) {
   await every(id, browser, cases, report);
   await cost(id, resolve(page), cases);
   await cases.run(`${id} has tests of its own`, async () => expect(existsSync(join(here, `${id}.mjs`)), `there is no ${id}.mjs`));
-  if (existsSync(join(here, `${id}.mjs`))) await (await import(`./${id}.mjs`)).test({ browser, cases, native, C });
+  if (existsSync(join(here, `${id}.mjs`))) await (await import(`./${id}.mjs`)).test({ browser, cases, native, C, source: resolve(source) });
 }
 await cases.run("the page says nothing and asks for nothing", async () => expect(browser.said.length === 0, [...new Set(browser.said)].join("; ")));
 

@@ -1,5 +1,6 @@
 /** The sections in their order. */
 import type { Section } from "../section";
+import { board } from "./board";
 import { drop } from "./drop";
 import { dynamics } from "./dynamics";
 import { impact } from "./impact";
@@ -16,4 +17,5 @@ export const sections: readonly { number: number; section: Section }[] = [
   { number: 5, section: support },
   { number: 6, section: impact },
   { number: 7, section: drop },
+  { number: 8, section: board },
 ];
