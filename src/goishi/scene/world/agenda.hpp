@@ -85,9 +85,13 @@ class Agenda {
     return (static_cast<std::uint64_t>(kind) << shift) | id;
   }
 
-  [[nodiscard]] static std::size_t id_of(std::uint64_t code) { return code & ((one << shift) - 1U); }
+  [[nodiscard]] static std::size_t id_of(std::uint64_t code) {
+    return static_cast<std::size_t>(code & ((one << shift) - 1U));
+  }
 
-  [[nodiscard]] std::size_t& place_of(const Entry& entry) { return places_[entry.code >> shift][id_of(entry.code)]; }
+  [[nodiscard]] std::size_t& place_of(const Entry& entry) {
+    return places_[static_cast<std::size_t>(entry.code >> shift)][id_of(entry.code)];
+  }
 
   void put(std::size_t at, const Entry& entry) {
     heap_[at] = entry;
