@@ -262,6 +262,35 @@ TEST(Scene, ALongFlightIsNotLookedAtAllTheTime) {
   EXPECT_LT(scene.counters().looks, 200);
 }
 
+/// At 1e9 m/s it is looked at every few picoseconds.
+TEST(Scene, NoCallTakesMoreThanItsWork) {
+  const Kind kind;
+  SceneSettings<double> settings = rough();
+  settings.most_work = 1000;
+  Scene<double> scene(make_board<double>(), settings);
+  const StoneId hand = scene.add(kind.stone, kind.body, lying(0, 0, 0.05));
+  scene.hold(hand, {0, 0, 1e9}, {0, 0, 0}, 1);
+  EXPECT_FALSE(scene.advance(1e-3));
+  EXPECT_LT(scene.time(), 1e-3);
+  // In pieces it goes on as in one.
+  Scene<double> whole = heap(2, 7), pieces = heap(2, 7, settings);
+  EXPECT_TRUE(whole.advance_to(0.5));
+  int calls = 1;
+  while (!pieces.advance_to(0.5)) {
+    ++calls;
+  }
+  EXPECT_LT(2, calls);
+  EXPECT_EQ(pieces.time(), 0.5);
+  for (const StoneId id : whole.stones()) {
+    EXPECT_TRUE(same(whole.state(id), pieces.state(id)));
+  }
+  EXPECT_THROW(scene.change([&] {
+    settings.most_work = 0;
+    return settings;
+  }()),
+               InvalidArgument);
+}
+
 // --- hands
 
 /// It leans on the hand and slides; the hand works against the board's friction, and carries a part of the weight.

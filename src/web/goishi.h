@@ -606,7 +606,8 @@ GOISHI_API int goishi_scene_add(goishi_scene* scene, const double* stone, size_t
 GOISHI_API int goishi_scene_remove(goishi_scene* scene, size_t id);
 
 /// Goes on for a time dt > 0, up to a time that is not before the present, or, for no longer than a horizon > 0, until all
-/// stones rest: then no stone of GOISHI_SCENE_MOVING is left. All are finite   [s].
+/// stones rest: then no stone of GOISHI_SCENE_MOVING is left. All are finite   [s]. The work of a call is bounded: where it is used
+/// up, the scene's time is before what was asked for, and the next call goes on from there.
 /// Calls  Scene::advance, advance_to, run_until_rest.
 GOISHI_API int goishi_scene_advance(goishi_scene* scene, double dt);
 GOISHI_API int goishi_scene_advance_to(goishi_scene* scene, double time);

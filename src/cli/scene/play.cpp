@@ -51,12 +51,21 @@ void ScenePlay::apply(const SceneAction& action, SceneSink<double> sink) {
   });
 }
 
+void ScenePlay::go_to(double time, SceneSink<double> sink) {
+  constexpr int most_calls = 100;
+  int calls = 1;
+  while (!scene_.advance_to(time, sink)) {
+    require(++calls <= most_calls, "time", time, "takes too much work: in ", most_calls, " calls it came to ",
+            scene_.time(), " s");
+  }
+}
+
 void ScenePlay::advance_to(double time, SceneSink<double> sink) {
   for (; done_ < file_->actions.size() && file_->actions[done_].time <= time; ++done_) {
-    scene_.advance_to(file_->actions[done_].time, sink);
+    go_to(file_->actions[done_].time, sink);
     apply(file_->actions[done_], sink);
   }
-  scene_.advance_to(time, sink);
+  go_to(time, sink);
 }
 
 bool ScenePlay::advance_to_end(SceneSink<double> sink) {
@@ -67,7 +76,13 @@ bool ScenePlay::advance_to_end(SceneSink<double> sink) {
   if (!file_->actions.empty()) {
     advance_to(file_->actions.back().time, sink);
   }
-  return scene_.run_until_rest(file_->end - scene_.time(), sink);
+  constexpr int most_calls = 100;
+  for (int calls = 1; !scene_.run_until_rest(file_->end - scene_.time(), sink); ++calls) {
+    if (!(scene_.time() < file_->end) || most_calls <= calls) {
+      return false;
+    }
+  }
+  return true;
 }
 
 long long ScenePlay::moving() const {

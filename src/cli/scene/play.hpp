@@ -40,6 +40,7 @@ class ScenePlay {
   [[nodiscard]] double hand_work() const;
 
  private:
+  void go_to(double time, SceneSink<double> sink);
   void add(const StoneEntry& entry);
   void apply(const SceneAction& action, SceneSink<double> sink);
 

@@ -91,24 +91,25 @@ class Scene {
 
   // --- going on
 
-  /// Goes on for a time, and tells of the events on its way, those at its end included.
+  /// Goes on for a time, and tells of the events on its way, those at its end included. False if the work of one call is used up
+  /// before (`SceneSettings::most_work`): then it is at `time()`, and the next call goes on from there.
   /// Domain  dt > 0 and finite; else InvalidArgument.
-  void advance(const T& dt, SceneSink<T> sink = {}) {
+  bool advance(const T& dt, SceneSink<T> sink = {}) {
     require(T(0) < dt && scalar::is_finite(T(time() + dt)), "dt", dt,
             "must be positive and finite, the time after it too");
-    advance_to(T(time() + dt), sink);
+    return advance_to(T(time() + dt), sink);
   }
 
   /// The same up to a time.
   /// Domain  a finite time, not before `time()`.
-  void advance_to(const T& time, SceneSink<T> sink = {}) {
+  bool advance_to(const T& time, SceneSink<T> sink = {}) {
     detail::World<T>& world = course_.world;
     require(world.now <= time && scalar::is_finite(time), "time", time, "must be finite, and not before the present, ",
             world.now);
     world.sink = sink;
-    static_cast<void>(course_.run(time, false));
-    world.now = time;
+    const bool there = course_.run(time, false);
     world.sink = {};
+    return there;
   }
 
   /// Goes on until all stones rest, for no longer than `horizon`   [s]. True if they do.
@@ -116,12 +117,10 @@ class Scene {
   bool run_until_rest(const T& horizon, SceneSink<T> sink = {}) {
     detail::World<T>& world = course_.world;
     require_positive("horizon", horizon);
-    const T until = world.now + horizon;
     world.sink = sink;
-    const bool rests = course_.run(until, true);
-    world.now = rests ? world.now : until;
+    const bool done = course_.run(T(world.now + horizon), true);
     world.sink = {};
-    return rests;
+    return done && course_.rests();
   }
 
   // --- what it is

@@ -30,6 +30,9 @@ struct SceneSettings {
   std::optional<T> impact_speed;
   /// [s] after the last push of a stone on it, one leaves its cluster. 0.21 √(w/g): 1e-2
   std::optional<T> leaving_time;
+
+  /// Things that are due, in one call: stretches, looks, impacts, steps. A full board that drops takes 2e5 till it rests.
+  long long most_work = 10'000'000;
 };
 
 /// The settings with all that was not set filled in, for a stone.
@@ -60,6 +63,7 @@ void require_settings(const SceneSettings<T>& settings) {
   positive("clearance", settings.clearance);
   positive("impact_speed", settings.impact_speed);
   positive("leaving_time", settings.leaving_time);
+  require(0 < settings.most_work, "most_work", settings.most_work, "must be positive");
   require(T(0) < settings.solver_tolerance && settings.solver_tolerance <= T(1), "solver_tolerance",
           settings.solver_tolerance, "must be positive and at most 1");
 }

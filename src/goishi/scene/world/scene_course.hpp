@@ -12,12 +12,17 @@ class SceneCourse {
  public:
   World<T> world;
 
-  /// Whatever is due up to a time; to the point where everything rests, if that is wanted. True if it does then.
-  bool run(const T& until, bool to_rest) {
-    while (!(to_rest && rests())) {
+  /// Whatever is due up to a time; to the point where everything rests, if that is wanted. False if the work of a call is used up
+  /// before.
+  [[nodiscard]] bool run(const T& until, bool to_rest) {
+    for (long long work = world.settings.most_work; !(to_rest && rests()); --work) {
+      if (work <= 0) {
+        return false;
+      }
       const std::optional<Due<T>> due = world.agenda.next(until);
       if (!due) {
-        return rests();
+        world.now = until;
+        return true;
       }
       world.now = due->time;
       switch (due->kind) {
