@@ -69,6 +69,10 @@ impact_process_claims();  // IMPACT: Stronge's law in a plane, and the default l
 [[nodiscard]] std::vector<Claim> drop_tolerance_claims();    // DROP: error by tolerance; float
 [[nodiscard]] std::vector<Claim> drop_value_claims();        // DROP: cut, stored, looked back on; a step's stages
 [[nodiscard]] std::vector<Claim> drop_scale_claims();        // DROP: other units, other sizes
+[[nodiscard]] std::vector<Claim> scene_alone_claims();       // SCENE: what must change nothing
+[[nodiscard]] std::vector<Claim> scene_impact_claims();      // SCENE: when two stones meet, and how
+[[nodiscard]] std::vector<Claim> scene_statics_claims();     // SCENE: what stands still
+[[nodiscard]] std::vector<Claim> scene_cluster_claims();     // SCENE: clusters: steps, laws
 
 [[nodiscard]] std::vector<Claim> all_claims();
 
