@@ -67,6 +67,8 @@ std::vector<Claim> all_claims() {
       {"claims/scene/impacts.cpp", scene_impact_claims},
       {"claims/scene/statics.cpp", scene_statics_claims},
       {"claims/scene/cluster.cpp", scene_cluster_claims},
+      {"claims/scene/witness.cpp", scene_witness_claims},
+      {"claims/scene/convergence.cpp", scene_convergence_claims},
       {"claims/published/numbers.cpp", published_claims},
       {"claims/published/motion.cpp", published_motion_claims},
       {"claims/published/contact.cpp", published_contact_claims},

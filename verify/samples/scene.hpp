@@ -85,6 +85,25 @@ inline void pile(Context& context, Scene<double>& scene, int count) {
   }
 }
 
+/// Stones of size 33 over the crossings of a board, some millimetres apart from it and askew, as if put down all at once.
+inline void strew(Context& context, Scene<double>& scene, int across) {
+  const Board<double>& board = scene.board();
+  for (int i = 0; i < across * across; ++i) {
+    const Piece piece(draw_stone(context, 1));
+    const Vec3<double> p(board.spacing_x * (i % across - across / 2) + context.uniform(-2e-3, 2e-3),
+                         board.spacing_y * (i / across - across / 2) + context.uniform(-2e-3, 2e-3),
+                         context.uniform(0.012, 0.03));
+    State<double> start = thrown(context, piece, p, 0.1, 5.0);
+    const Vec3<double> lean = 0.3 * draw_unit(context);
+    start.q_WB = Quat<double>(1.0, lean.x(), lean.y(), 0.0).normalized();
+    try {
+      static_cast<void>(scene.add(piece.stone(), piece.body, start));
+    } catch (const InvalidArgument&) {
+      // It would overlap a neighbour.
+    }
+  }
+}
+
 /// Energy and momenta of a stone.
 struct Carried {
   Long energy;  // potential zero at the origin

