@@ -75,6 +75,7 @@ impact_process_claims();  // IMPACT: Stronge's law in a plane, and the default l
 [[nodiscard]] std::vector<Claim> scene_cluster_claims();     // SCENE: clusters: steps, laws
 [[nodiscard]] std::vector<Claim> scene_witness_claims();  // SCENE: clusters beside another scheme
 [[nodiscard]] std::vector<Claim> scene_convergence_claims();  // SCENE: error by step
+[[nodiscard]] std::vector<Claim> scene_random_claims();  // SCENE: random boards
 
 [[nodiscard]] std::vector<Claim> all_claims();
 
