@@ -17,6 +17,8 @@
 #include <sstream>
 
 #include "tests/report_sample.hpp"
+#include "verify/bits/kinds.hpp"
+#include "verify/bits/section.hpp"
 #include "verify/report/escape.hpp"
 #include "verify/report/svg.hpp"
 
@@ -230,6 +232,22 @@ TEST(ReportSample, IsWritten) {
   if (wanted == nullptr) {
     fs::remove_all(folder);
   }
+}
+
+// --- the same bits
+
+TEST(ReportBits, EachHashStandsBesideTheErrorsOfWhatItHashes) {
+  Sample sample;
+  sample.add("MASS-1", 1.25, 4);
+  const Section section = bits::page_section(sample.run);
+  ASSERT_EQ(section.tables.size(), 1U);
+  const std::vector<Table::Row>& rows = section.tables.front().rows;
+  ASSERT_EQ(rows.size(), bits::kinds().size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::string line = bits::line(bits::kinds()[i]);
+    EXPECT_TRUE(contains(line, rows[i].cells[0] + ": " + rows[i].cells[1] + " ")) << line;
+  }
+  EXPECT_TRUE(contains(rows[1].cells[3], "MASS-1: 1.25 of 4 ulp; MASS-2; ")) << rows[1].cells[3];
 }
 
 }  // namespace

@@ -211,6 +211,29 @@ TEST(SceneCluster, ConvergesWithTheStep) {
   EXPECT_LT(coarse, 2e-5);
 }
 
+/// Velocities are of the middles of steps, places of their ends: what is told is of one time.
+TEST(SceneCluster, EnergyNeverRises) {
+  const Kind kind;
+  SceneSettings<double> settings = rough();
+  Scene<double> scene(make_board<double>(), settings);
+  for (int i = 0; i < 8; ++i) {  // side by side, so that they fall together
+    State<double> start = lying(0.0220004 * i, 0, 0.03);
+    start.L_W = formula::angular_momentum_W<double>(start.q_WB, kind.body, Vec3<double>(0.3 * i, 1 - 0.2 * i, 2));
+    scene.add(kind.stone, kind.body, start);
+  }
+  const double weighs = kind.weight() * kind.stone.width;
+  double last = scene.energy();
+  long long steps = 0;
+  while (scene.time() < 0.6) {
+    scene.advance(1.0 / 3840);
+    const double now = scene.energy();
+    EXPECT_LT(now - last, 1e-3 * weighs) << scene.time();
+    last = now;
+    steps = scene.counters().stone_steps;
+  }
+  EXPECT_LT(500, steps);
+}
+
 }  // namespace
 
 }  // namespace goishi::scene_test

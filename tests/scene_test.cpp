@@ -2,6 +2,9 @@
 
 #include "tests/scene_test.hpp"
 
+#include <map>
+#include <tuple>
+
 #include "tests/allocations.hpp"
 
 namespace goishi::scene_test {
@@ -60,6 +63,47 @@ TEST(Scene, APushedAndTiltedStoneIsThatOfADrop) {
   for (std::size_t k = 0; k < events.size(); ++k) {
     EXPECT_TRUE(same(told[k].event, events[k])) << k;
   }
+}
+
+/// Beside a list in which each looks for the least.
+TEST(Scene, TheAgendaTellsWhatIsDueInOrder) {
+  std::mt19937_64 random(3);
+  detail::Agenda<double> agenda;
+  std::map<std::pair<int, std::size_t>, double> list;
+  const auto least = [&] {
+    return std::min_element(list.begin(), list.end(), [](const auto& a, const auto& b) {
+      return std::tie(a.second, a.first) < std::tie(b.second, b.first);
+    });
+  };
+  int told = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const int kind = static_cast<int>(random() % 4);
+    const std::size_t id = random() % 50;
+    const double time = static_cast<double>(random() % 64);
+    switch (random() % 4) {
+      case 0:
+      case 1:
+        agenda.set(static_cast<detail::DueKind>(kind), id, time);
+        list[{kind, id}] = time;
+        break;
+      case 2:
+        agenda.remove(static_cast<detail::DueKind>(kind), id);
+        list.erase({kind, id});
+        break;
+      default: {
+        const std::optional<detail::Due<double>> next = agenda.next(time);
+        const auto expected = list.empty() ? list.end() : least();
+        ASSERT_EQ(next.has_value(), expected != list.end() && expected->second <= time);
+        if (next) {
+          ++told;
+          EXPECT_EQ(next->time, expected->second);
+          EXPECT_EQ(std::pair(static_cast<int>(next->kind), next->id), expected->first);
+          list.erase(expected);
+        }
+      }
+    }
+  }
+  EXPECT_LT(1000, told);
 }
 
 /// Rim to rim in line: the impulse goes through both centres.
@@ -202,6 +246,20 @@ TEST(Scene, RestCostsNothing) {
     EXPECT_EQ(scene.mode(id), StoneMode::rest);
     EXPECT_EQ(scene.state(id).v_WB, (Vec3<double>(0, 0, 0)));
   }
+}
+
+/// Upwards nothing ends the flight: a bound of the speed over all of it would be one of hundreds of m/s.
+TEST(Scene, ALongFlightIsNotLookedAtAllTheTime) {
+  const Kind kind;
+  SceneSettings<double> settings = rough();
+  settings.drop.gravity = {0, 0, 5};
+  Scene<double> scene(make_board<double>(), settings);
+  scene.add(kind.stone, kind.body, lying(0, 0, 0.1));
+  scene.add(kind.stone, kind.body, lying(0.0235, 0, 0.1));
+  scene.advance(0.005);
+  EXPECT_LT(scene.counters().looks, 10);
+  scene.advance(5);
+  EXPECT_LT(scene.counters().looks, 200);
 }
 
 // --- hands

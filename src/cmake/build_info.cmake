@@ -42,7 +42,7 @@ add_custom_target(goishi_build_info_header
   COMMAND "${CMAKE_COMMAND}"
     "-DGIT=${GIT_EXECUTABLE}" "-DSOURCE_DIR=${PROJECT_SOURCE_DIR}" "-DOUTPUT=${generated}/build_info.hpp"
     "-DVERSION=${PROJECT_VERSION}" "-DCOMPILER=${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}"
-    "-DBUILD_TYPE=${CMAKE_BUILD_TYPE}" "-DFLAGS=${flags}"
+    "-DBUILD_TYPE=${CMAKE_BUILD_TYPE}" "-DFLAGS=${flags} $<JOIN:$<TARGET_PROPERTY:goishi,INTERFACE_COMPILE_OPTIONS>, >"
     -P "${CMAKE_CURRENT_LIST_FILE}"
   BYPRODUCTS "${generated}/build_info.hpp"
   COMMENT "Stamping the commit"

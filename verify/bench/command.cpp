@@ -128,14 +128,17 @@ CLI::App* define_bench(CLI::App& app, BenchOptions& options) {
   CLI::App* bench = app.add_subcommand(
       "bench",
       "Measures run time against error: every stepper and the exact flight, beside Odeint's steppers; every contact "
-      "query, beside libccd and FCL; whole drops, beside the talk's loop.");
+      "query, beside libccd and FCL; whole drops, beside the talk's loop; one stone and a whole board, beside "
+      "Bullet, ODE, Siconos and Simbody.");
   bench->option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   bench->add_flag("--list", options.list, "list problems and contestants, and measure nothing");
   bench->add_option("--problem", options.problems, "only these problems, or all of a subject, separated by commas")
       ->delimiter(',')
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("NAME");
-  bench->add_option("--tier", options.tier, "quick: some 10 s; full: longer curves and more repeats, some 60 s")
+  bench
+      ->add_option("--tier", options.tier,
+                   "quick: longer than half a minute; full: longer curves and more repeats, minutes")
       ->check(CLI::IsMember({"quick", "full"}))
       ->capture_default_str();
   bench->add_option("--csv", options.csv_file, "write every point as CSV")->type_name("FILE");

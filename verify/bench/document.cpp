@@ -18,6 +18,11 @@ std::string row_begin(const Problem& problem) {
   return fmt::format("`{}`: {}", problem.name, problem.title);
 }
 
+/// The heading of a problem of which all points are there.
+std::string problem_heading(const Problem& problem) {
+  return fmt::format("#### `{}`: {}", problem.name, problem.title);
+}
+
 constexpr std::string_view measured_begin = "Measured on ";
 
 /// Nothing of what is counted.
@@ -79,6 +84,22 @@ Table table_of(const Subject& subject, const Bench& bench) {
   return table;
 }
 
+/// What is the same for all, and each problem's table as the page has it.
+std::string all_points(const Subject& subject, const Bench& bench) {
+  std::string out = subject.note + "\n";
+  const Section page = page_section(bench);
+  for (const Problem& problem : subject.problems) {
+    for (std::size_t i = 0; i < bench.races.size(); ++i) {
+      if (bench.races[i].name == problem.name) {
+        const Section& part = page.parts[i];
+        out += fmt::format("\n{}\n\n{}\n\n{}", problem_heading(problem), part.paragraphs.front(),
+                           piped(part.tables.front()));
+      }
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string document_text(const Bench& bench) {
@@ -87,7 +108,8 @@ std::string document_text(const Bench& bench) {
                                 stamp.machine, stamp.compiler, stamp.time.substr(0, stamp.time.find('T')),
                                 native_level().empty() ? "the compiler's default" : native_level());
   for (const Subject& subject : subjects()) {
-    out += fmt::format("\n{}\n\n{}", heading(subject), piped(table_of(subject, bench)));
+    out += fmt::format("\n{}\n\n{}", heading(subject),
+                       subject.all_points ? all_points(subject, bench) : piped(table_of(subject, bench)));
   }
   return out;
 }
@@ -97,7 +119,7 @@ std::vector<std::string> document_differences(std::string_view part) {
   for (const Subject& subject : subjects()) {
     wanted.push_back(heading(subject));
     for (const Problem& problem : subject.problems) {
-      wanted.push_back(fmt::format("| {} (", row_begin(problem)));
+      wanted.push_back(subject.all_points ? problem_heading(problem) : fmt::format("| {} (", row_begin(problem)));
     }
   }
   std::vector<std::string> found;
@@ -108,7 +130,7 @@ std::vector<std::string> document_differences(std::string_view part) {
     begin = end + 1;
     if (next != wanted.end() && line.starts_with(*next)) {
       ++next;
-    } else if (line.starts_with("### ") || line.starts_with("| `")) {
+    } else if (line.starts_with("### ") || line.starts_with("#### ") || line.starts_with("| `")) {
       found.push_back(fmt::format("no problem is called so, or it stands elsewhere: {}", line));
     }
   }

@@ -15,6 +15,9 @@ std::string with_unit(const Quantity& quantity) {
 }
 
 std::string number_text(const Quantity& quantity, double value) {
+  if (std::isnan(value)) {
+    return "–";
+  }
   return quantity.unit.empty() ? plain_number(std::round(value), 9) : plain_number(value, 2);
 }
 

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <limits>
 
 #include "verify/bench/contact/contact.hpp"
 #include "verify/bench/drop/drops.hpp"
 #include "verify/bench/mass/mass.hpp"
 #include "verify/bench/motion/motion.hpp"
+#include "verify/bench/rivals/rivals.hpp"
 #include "verify/suite/quantile.hpp"
 
 namespace goishi::verify::bench {
@@ -104,11 +106,17 @@ std::string_view to_string(Kind kind) {
 }
 
 const std::vector<Subject>& subjects() {
-  static const std::vector<Subject> all = {mass::subject(), motion::subject(), contact::subject(), drops::subject()};
+  static const std::vector<Subject> all = {mass::subject(), motion::subject(), contact::subject(), drops::subject(),
+                                           rivals::subject()};
   return all;
 }
 
-void run_race(Race& race, const Effort& effort) {
+void run_race(Race& race, const Effort& usual_effort) {
+  Effort effort = usual_effort;
+  if (race.long_runs) {
+    effort.repeats = std::min(effort.repeats, 3);
+    effort.dearest = std::numeric_limits<double>::infinity();
+  }
   std::vector<Running> running;
   for (Curve& curve : race.curves) {
     take_points(curve, race.cases, effort, running);

@@ -97,6 +97,7 @@ struct Race {
   std::size_t cases = 1;           // of all contestants the same
   std::size_t block = 0;           // that a call answers, a part of all; 0: all
   bool by_case = false;            // the spread is over the cases, not over the repeats
+  bool long_runs = false;          // three repeats do, and no curve ends because a run is dear
   std::vector<Curve> curves = {};  // of each contestant
 };
 
@@ -130,11 +131,12 @@ struct Subject {
   std::string note;         // what is the same for all of them
   std::vector<Problem> problems;
   std::vector<Who> contestants;
+  bool all_points = false;  // the document has everyone's, in all quantities
 };
 [[nodiscard]] const std::vector<Subject>& subjects();
 
 /// Takes every curve's points until its settings are over, or round-off has stopped the leading error from falling
-/// twice, or a run gets too dear; then times all points of all curves by turns.
+/// twice, or a run gets too dear (not where `long_runs` are meant); then times all points of all curves by turns.
 void run_race(Race& race, const Effort& effort);
 
 /// Null where it is not there.

@@ -22,7 +22,7 @@ bool run_bits_command(const Options& options) {
   std::string lines;
   for (const Kind& kind : kinds()) {
     const std::string one = line(kind);
-    fmt::print("{}    how far off: {}\n", one, kind.claims);
+    fmt::print("{}    how far off: {}\n", one, fmt::join(kind.claims, ", "));
     lines += one;
   }
   if (!options.write.empty()) {

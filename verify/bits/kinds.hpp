@@ -31,11 +31,14 @@ class Hash {
 /// A kind of work: which claims say how far off its numbers are, and the hash of them.
 struct Kind {
   std::string name;
-  std::string claims;
+  std::vector<std::string> claims;
   void (*run)(Hash&);
 };
 
 [[nodiscard]] const std::vector<Kind>& kinds();
+
+/// 16 hexadecimal digits.
+[[nodiscard]] std::string digits(const Hash& hash);
 
 /// "name hash count", a line for each kind: what `hashes.txt` has.
 [[nodiscard]] std::string line(const Kind& kind);

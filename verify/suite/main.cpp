@@ -15,6 +15,7 @@
 
 #include "verify/bench/command.hpp"
 #include "verify/bits/command.hpp"
+#include "verify/bits/section.hpp"
 #include "verify/certify/command.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/oracles/stone/quadrature.hpp"
@@ -177,6 +178,7 @@ void write_report(const Run& run, const std::filesystem::path& folder, bool with
     sections.push_back(bench::page_section(measured));
     write_file(folder / bench::csv_name, bench::csv_report(measured));
   }
+  sections.push_back(bits::page_section(run));
   const std::string derivations = "derivations.html";  // derivations/document writes it
   const std::string page = "../web/goishi.html";       // src/web/build writes it
   const auto if_there = [&folder](const std::string& file) {

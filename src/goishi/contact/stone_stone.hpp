@@ -179,6 +179,14 @@ template <Ordered T>
   return PairSizes<T>::hold(pair.scale) ? separation(pair) : separation_rescaled(pair);
 }
 
+/// The gap along a unit normal: no more than along the one that separates most.
+template <Ordered T>
+[[nodiscard]] T gap_along_normal(const Placed<T>& first, const Placed<T>& second, const Vec3<T>& n) {
+  return formula::dot(formula::minus(first.p_W, second.p_W), n) -
+         support_value(first.stone, see<T>(first.u_W, n).direction) -
+         support_value(second.stone, see<T>(second.u_W, n).direction);
+}
+
 }  // namespace detail
 
 /// Separation of two stones; n points from the second to the first.

@@ -131,10 +131,8 @@ using Computed = std::conditional_t<std::is_same_v<T, float>, double, T>;
 /// its type.
 template <class T>
 struct UnitBody {
-  using Wide = scalar::wider_t<T>;
-  T surface_area;
-  Wide volume;
-  Moments<Wide> moments, moments_per_mass;
+  T surface_area, volume;
+  Moments<T> moments, moments_per_mass;
   int exponent;
 };
 
@@ -155,22 +153,24 @@ template <Ordered T>
           .joint_sine = stone.joint_sine};
 }
 
-/// What is of a high degree in lengths is taken in the next wider type.
+/// What is of a high degree in lengths is taken in the next wider type, and rounded.
 template <Ordered T>
 [[nodiscard]] UnitBody<T> unit_body_of(const Stone<T>& stone, int exponent) {
   using Wide = scalar::wider_t<T>;
+  const auto rounded = [](const Moments<Wide>& wide) { return Moments<T>{T(wide.axial), T(wide.transverse)}; };
   if (!(T(0) < stone.bevel)) {
     const T &w = stone.width, &h = stone.height;
-    return {formula::lens_surface_area(w, h), formula::lens_volume<T, Wide>(w, h), formula::lens_moments<T, Wide>(w, h),
-            formula::lens_moments_per_mass<T, Wide>(w, h), exponent};
+    return {formula::lens_surface_area(w, h), T(formula::lens_volume<T, Wide>(w, h)),
+            rounded(formula::lens_moments<T, Wide>(w, h)), rounded(formula::lens_moments_per_mass<T, Wide>(w, h)),
+            exponent};
   }
   const auto terms = formula::bevel_terms(stone, scalar::atan2(stone.joint_sine, stone.joint_cosine));
   const T volume = formula::bevelled_volume<T, Wide>(stone, terms);
-  const Moments<Wide> moments = formula::bevelled_moments<T, Wide>(stone, terms);
+  const Moments<T> moments = rounded(formula::bevelled_moments<T, Wide>(stone, terms));
   return {formula::bevelled_surface_area(stone, terms),
-          Wide(volume),
+          volume,
           moments,
-          {Wide(moments.axial / volume), Wide(moments.transverse / volume)},
+          {T(moments.axial / volume), T(moments.transverse / volume)},
           exponent};
 }
 

@@ -130,7 +130,7 @@ class Scene {
   [[nodiscard]] State<T> state(StoneId id) const {
     const detail::World<T>& world = course_.world;
     const detail::Member<T>& member = world.members[known(id)];
-    return is_new(member) ? world.drops[member.drop].state() : world.state_at(member, world.now);
+    return is_new(member) ? world.drops[member.drop].state() : world.seen_at(member, world.now);
   }
 
   [[nodiscard]] StoneMode mode(StoneId id) const { return mode(known(id)); }
@@ -208,10 +208,10 @@ class Scene {
     member.w_W = w_WB;
     member.hand_end = hand.hand_end;
     member.keeper = detail::Keeper::hand;
-    world.bound_by(i,
-                   T(scalar::sqrt(formula::dot(v_WB, v_WB)) + member.reach * scalar::sqrt(formula::dot(w_WB, w_WB))));
+    const T centre = scalar::sqrt(formula::dot(v_WB, v_WB));
+    world.bound_by(i, {centre, T(centre + member.reach * scalar::sqrt(formula::dot(w_WB, w_WB)))});
     world.turn(i);
-    world.schedule(detail::DueKind::stretch, i, member.hand_end);
+    world.agenda.set(detail::DueKind::stretch, i, member.hand_end);
   }
 
   /// Lets a stone go that a hand holds, with the velocities that it has.

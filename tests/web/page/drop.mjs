@@ -43,10 +43,11 @@ export async function test({ browser, cases, native, C }) {
     return { stone, board, state, settings, info, at,
       times: Array.from({ length: info[C.DROP_EVENTS] }, (_, i) => events[i * C.EVENT_SIZE + C.EVENT_TIME]) };
   }
-  /** The angle of the axis from the vertical   [°], by its height in W. */
+  /** The angle of the axis from the vertical   [°], by its parts across and along: the cosine alone tells small ones badly. */
   const tiltOf = (motion) => {
     const [w, x, y, z] = motion.slice(C.ATTITUDE);
-    return (Math.acos(Math.max(-1, Math.min(1, w * w + z * z - x * x - y * y))) * 180) / Math.PI;
+    const across = 2 * Math.hypot(x * z + w * y, y * z - w * x);
+    return (Math.atan2(across, w * w + z * z - x * x - y * y) * 180) / Math.PI;
   };
 
   await case_("events, their times and the end are those of the native library", async () => {

@@ -9,6 +9,16 @@
 
 namespace goishi::detail {
 
+/// When two points that go straight on come as near as `distance`, further apart than it now: the first root of |x + v t| = R, in
+/// the form that does not cancel. Infinite if they do not.
+template <Ordered T>
+[[nodiscard]] T meeting_time(const Vec3<T>& between, const Vec3<T>& v, const T& distance) {
+  const T approach = -formula::dot(between, v), open = formula::dot(between, between) - scalar::sq(distance);
+  const T square = scalar::sq(approach) - formula::dot(v, v) * open;
+  return T(0) < approach && T(0) <= square ? T(open / (approach + scalar::sqrt(square)))
+                                           : std::numeric_limits<T>::infinity();
+}
+
 /// A stone on a flight, or along a stretch of contact. It refers to the stone and to the stretch.
 template <class T>
 struct Moving {
@@ -44,11 +54,25 @@ template <Ordered T>
           formula::scaled(path.rate, path.k_W)};
 }
 
-/// Only where its centre is.
+/// Where only the centre of a stone alone is, along its present stretch.
 template <Ordered T>
-[[nodiscard]] Vec3<T> centre(const Moving<T>& moving, const T& time) {
-  return moving.touching != nullptr ? sight(moving, time).placed.p_W
-                                    : formula::centre_at(moving.path, T(time - moving.begin));
+[[nodiscard]] Vec3<T> centre_of(const Drop<T>& drop, const T& time) {
+  const Stretch<T>& stretch = drop.stretch();
+  const T t = time - stretch.begin;
+  if (const auto* touching = std::get_if<Touching<T>>(&stretch.motion)) {
+    const Variables<T> y = touching->along(t < touching->length ? T(t / touching->length) : T(1));
+    const ContactFrame<T>& frame = touching->frame;
+    return {y[at::x], y[at::y], T(frame.level + geometry_of(drop.stone(), frame.feature, axis_of(y)).height)};
+  }
+  if (const auto* flying = std::get_if<Flying<T>>(&stretch.motion)) {
+    const State<T>& from = flying->from;
+    return formula::plus(from.p_WB, t, formula::plus(from.v_WB, T(t / T(2)), flying->gravity));
+  }
+  if (const auto* bouncing = std::get_if<Bouncing<T>>(&stretch.motion)) {
+    const State<T>& from = bouncing->from;
+    return formula::plus(from.p_WB, t, Vec3<T>(from.v_WB.x(), from.v_WB.y(), T(0)));
+  }
+  return std::get<Standing<T>>(stretch.motion).state.p_WB;
 }
 
 /// The most that −H'' of a gap along a fixed normal gets from this stone   [m/s²].
@@ -83,20 +107,33 @@ template <Ordered T>
   return (across + height + stone.sphere_offset * turn) / scalar::sq(touching.length);
 }
 
-/// A bound of the speed of any point of its surface of a stone alone, until something else touches it   [m/s]; in a flight,
-/// until its end. `lever` = √(1 + c²/k²), c its reach, k² = I_t/m: |v| + c |ω| <= lever √(2 e) where v² + k² ω² <= 2 e.
+/// No faster   [m/s], until a time   [s], and until they are raised.
+template <class T>
+struct SpeedBounds {
+  T centre = T(0), surface = T(0);
+  T until = std::numeric_limits<T>::infinity();
+};
+
+/// Bounds of the speeds of a stone alone from a time on, of its centre and of any point of its surface, until its stretch ends,
+/// something else touches it or, in a flight, its fall has added √(c g), c its reach, or what its speed is already.
+/// `lever` = √(1 + c²/k²), k² = I_t/m: |v| + c |ω| <= lever √(2 e) where v² + k² ω² <= 2 e.
 template <Ordered T>
-[[nodiscard]] T speed_bound(const Drop<T>& drop, const T& reach, const T& lever, const TopRates<T>& rates) {
+[[nodiscard]] SpeedBounds<T> speed_bounds(const Drop<T>& drop, const T& reach, const T& lever, const TopRates<T>& rates,
+                                          const T& time) {
   const Stretch<T>& stretch = drop.stretch();
   const auto size = [](const Vec3<T>& v) { return scalar::sqrt(formula::dot(v, v)); };
   if (const auto* flying = std::get_if<Flying<T>>(&stretch.motion)) {
-    const T horizon = *filled(drop.settings(), drop.stone(), drop.contact_body().strength).horizon;
-    const T length = stretch.end - stretch.begin < horizon ? T(stretch.end - stretch.begin) : horizon;
-    const T first = size(flying->from.v_WB), last = size(formula::plus(flying->from.v_WB, length, flying->gravity));
-    return (first < last ? last : first) + reach * rates.precession * size(flying->from.L_W);
+    const T now = size(formula::plus(flying->from.v_WB, T(time - stretch.begin), flying->gravity));
+    const T g = size(flying->gravity);
+    const T more = scalar::max(now, scalar::sqrt(T(reach * g)));
+    const T grows = T(0) < g ? T(g * (stretch.end - time)) : T(0);
+    const T centre = now + scalar::min(grows, more);
+    const T turning = reach * rates.precession * size(flying->from.L_W);
+    return {centre, T(centre + turning), more < grows ? T(time + more / g) : stretch.end};
   }
   if (const auto* bouncing = std::get_if<Bouncing<T>>(&stretch.motion)) {
-    return size(bouncing->from.v_WB) + reach * rates.precession * size(bouncing->from.L_W);
+    const T centre = size(bouncing->from.v_WB);
+    return {centre, T(centre + reach * rates.precession * size(bouncing->from.L_W)), stretch.end};
   }
   if (const auto* touching = std::get_if<Touching<T>>(&stretch.motion)) {
     const ContactBody<T>& body = drop.contact_body();
@@ -106,10 +143,11 @@ template <Ordered T>
     const Vec3<T>& g = body.gravity;
     const T fall = scalar::abs(T(g.z())) * (now.height - drop.stone().height / T(2));
     const T energy = formula::contact_kinetic_energy(now, s[0], s[1]) + (fall < T(0) ? T(0) : fall);
-    const T slope = scalar::sqrt(T(scalar::sq(g.x()) + scalar::sq(g.y())));
-    return T(1.01) * lever * scalar::sqrt(T(T(2) * energy)) + slope * touching->length;
+    const T slope = scalar::sqrt(T(scalar::sq(g.x()) + scalar::sq(g.y()))) * touching->length;
+    const T centre = T(1.01) * scalar::sqrt(T(T(2) * energy));
+    return {T(centre + slope), T(lever * centre + slope), stretch.end};
   }
-  return T(0);
+  return {T(0), T(0), stretch.end};
 }
 
 /// How a stone alone moves along its present stretch.

@@ -60,16 +60,19 @@ class ClusterContacts {
             formula::axis_turned(path, scalar::sincos(angle))};
   }
 
-  /// The gap that a row will have, less the clearance   [m].
-  [[nodiscard]] T gap_after(const World<T>& world, std::size_t k, const T& t) const {
+  /// Whether the gap of a row, less the clearance, will be below a length   [m].
+  [[nodiscard]] bool leads_below(const World<T>& world, std::size_t k, const T& t, const T& lowest) const {
     const Row<T>& row = sweeps.rows[k];
     const RowSource<T>& source = sources[k];
     const Placed<T> one = placed_after(world.members[source.first], sweeps.movers[row.a], t);
-    if (source.second != no_index) {
-      return separation(one, other_after(world, row, source, sweeps, t)).gap - *world.settings.clearance;
+    if (source.second == no_index) {
+      return formula::dot(row.n, formula::minus(one.p_W, source.contact.p_other)) -
+                 support_value(one.stone, see<T>(one.u_W, row.n).direction) <
+             lowest;
     }
-    return formula::dot(row.n, formula::minus(one.p_W, source.contact.p_other)) -
-           support_value(one.stone, see<T>(one.u_W, row.n).direction);
+    const Placed<T> two = other_after(world, row, source, sweeps, t);
+    const T least = lowest + *world.settings.clearance;
+    return gap_along_normal(one, two, row.n) < least && separation(one, two).gap < least;
   }
 
   /// How fast the bodies of a row turn, and turn about each other, squared   [1/s²].
@@ -154,13 +157,19 @@ class ClusterContacts {
     pair.contact.listed = false;
     const State<T> at = hand ? world.state_at(other, world.now) : other.state;
     const Placed<T> two{other.stone, at.p_WB, hand ? symmetry_axis(at.q_WB) : sweeps.movers[other.local].u};
-    const Separation<T> contact = separation(placed(world.members[i]), two);
-    ++world.counters.separations;
+    const Placed<T> one = placed(world.members[i]);
+    Separation<T> contact;
+    if (i == pair.first) {
+      contact = world.apart(pair, one, two);
+    } else {  // a hand is the first
+      contact = separation(one, two);
+      ++world.counters.separations;
+    }
     if (world.range < contact.gap) {
-      world.wait(k, T(contact.gap - world.range), false);
+      world.wait(k, T(contact.gap - world.range), T(world.members[i].bounds.surface + other.bounds.surface), false);
     } else if (add(world, pair.contact, known, i, j, contact, T(contact.gap - *world.settings.clearance))) {
       pair.exact = pair.touches = false;
-      world.unschedule(DueKind::pair, k);
+      world.agenda.remove(DueKind::pair, k);
     } else {
       pair.exact = true;  // of so fast ones, when they touch is asked after the step has been chosen
       pair.touches = false;

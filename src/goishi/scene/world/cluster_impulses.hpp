@@ -121,6 +121,25 @@ class ClusterImpulses {
     }
   }
 
+  /// The same, and how fast the velocities change.
+  void take_with_rates(World<T>& world, std::size_t c) {
+    const std::vector<std::size_t>& stones = world.clusters[c].members;
+    before_.clear();
+    for (const std::size_t i : stones) {
+      before_.push_back({world.members[i].state.v_WB, world.members[i].state.L_W});
+    }
+    take(world, c);
+    for (std::size_t k = 0; k < stones.size(); ++k) {
+      Member<T>& member = world.members[stones[k]];
+      const T time = world.now + h_ / T(2) - member.nominal;
+      if (h_ / T(4) <= time) {  // else the last step's tell more
+        const T over = T(1) / time;
+        member.v_rate = formula::scaled(over, formula::minus(member.state.v_WB, before_[k].v_WB));
+        member.L_rate = formula::scaled(over, formula::minus(member.state.L_W, before_[k].L_W));
+      }
+    }
+  }
+
   /// What the next step has to know of the contacts.
   void remember(World<T>& world, const T& weight) {
     for (std::size_t k = 0; k < contacts_.sources.size(); ++k) {
@@ -147,6 +166,7 @@ class ClusterImpulses {
 
   T h_ = T(0);  // [s] of the step at work
   ClusterContacts<T> contacts_;
+  std::vector<BodyVelocity<T>> before_;
 };
 
 }  // namespace goishi::detail

@@ -17,7 +17,8 @@ namespace goishi::detail {
 template <Ordered T>
 class ClusterStep : private ClusterImpulses<T> {
   using Impulses = ClusterImpulses<T>;
-  using Impulses::begin, Impulses::solve, Impulses::take, Impulses::remember, Impulses::meet_fast;
+  using Impulses::begin, Impulses::solve, Impulses::take, Impulses::take_with_rates, Impulses::remember,
+      Impulses::meet_fast;
   using Impulses::contacts_, Impulses::h_, Impulses::is_closed, Impulses::far_off;
 
  public:
@@ -180,7 +181,7 @@ class ClusterStep : private ClusterImpulses<T> {
       h_ = attempt == 0 && !bends ? h_ : T(h_ / T(2));
       ++world.counters.retries;
     }
-    take(world, c);
+    take_with_rates(world, c);
     remember(world, h_);
   }
 
@@ -208,7 +209,7 @@ class ClusterStep : private ClusterImpulses<T> {
       const T lowest = (gap < T(0) ? gap : T(0)) - slack;
       // So slow that nothing bends by more than that.
       const T bend = sweeps.movers[sweeps.rows[k].a].reach * contacts_.turning_square(k);
-      if (slack < bend * scalar::sq(h_) && contacts_.gap_after(world, k, h_) < lowest) {
+      if (slack < bend * scalar::sq(h_) && contacts_.leads_below(world, k, h_, lowest)) {
         return true;
       }
     }
@@ -271,7 +272,7 @@ class ClusterStep : private ClusterImpulses<T> {
       contacts_.aim(world, k, h_, false);  // from the impulses of the last step
       row.bias = {T(0), T(0), is_closed(world, contacts_.sources[k]) ? T(0) : far_off(world)};
     }
-    const bool solved = solve(world, T(1e-6), 4 * most_sweeps);
+    const bool solved = solve(world, T(1e-6), most_sweeps / 2);
     const T still = T(1e-4) * h * world.g;
     bool rests = solved;
     for (const Mover<T>& mover : sweeps.movers) {
@@ -292,12 +293,12 @@ class ClusterStep : private ClusterImpulses<T> {
     }
     remember(world, h);
     cluster.asleep = true;
-    world.unschedule(DueKind::step, c);
+    world.agenda.remove(DueKind::step, c);
     for (const std::size_t i : cluster.members) {
       Member<T>& member = world.members[i];
       const State<T> before = member.state;
       member.state.v_WB = member.state.L_W = Vec3<T>::Zero();
-      member.bound = T(0);
+      member.bounds = {};
       world.tell(i, no_index, EventKind::rest, before, member.state, [](Event<T>&) {});
     }
     return true;
@@ -313,13 +314,13 @@ class ClusterStep : private ClusterImpulses<T> {
       Member<T>& member = world.members[cluster.members[k]];
       member.nominal = world.now + h_ / T(2);
       const Mover<T>& mover = contacts_.sweeps.movers[k];
-      const T speed =
-          scalar::sqrt(formula::dot(mover.v, mover.v)) + member.reach * scalar::sqrt(formula::dot(mover.w, mover.w));
-      world.bound_by(cluster.members[k], speed);
+      const T centre = scalar::sqrt(formula::dot(mover.v, mover.v));
+      const T speed = centre + member.reach * scalar::sqrt(formula::dot(mover.w, mover.w));
+      world.bound_by(cluster.members[k], {centre, speed});
       length = meets_ground(world, member, speed, length);
     }
     cluster.end = world.now + length;
-    world.schedule(DueKind::step, c, cluster.end);
+    world.agenda.set(DueKind::step, c, cluster.end);
     for (const std::size_t i : cluster.members) {
       for (const std::size_t k : world.members[i].pairs) {
         if (world.pairs[k].exact && !world.is_listed(world.pairs[k])) {

@@ -10,8 +10,8 @@
 #include <goishi/scene/cluster/row.hpp>
 #include <goishi/scene/events.hpp>
 #include <goishi/scene/pairs/grid.hpp>
+#include <goishi/scene/pairs/moving.hpp>
 #include <limits>
-#include <tuple>
 #include <vector>
 
 namespace goishi::detail {
@@ -43,7 +43,7 @@ struct Member {
   Mobility<T> mobility;
   TopRates<T> rates;
   T reach;  // [m] greatest distance of a point from the centre
-  T lever;  // of `speed_bound`
+  T lever;  // of `speed_bounds`
   T rolling, pivot;
 
   Keeper keeper = Keeper::rest;
@@ -51,20 +51,20 @@ struct Member {
   bool fresh = false;  // its drop has just begun
   State<T> state;      // of a cluster, a rest, a hand: at `time`
   T time = T(0);
-  T nominal = T(0);               // [s] of a cluster: the time that its velocity is of
-  T last_touch = T(0);            // [s] of a cluster: when another stone pushed it
-  Vec3<T> w_W = Vec3<T>::Zero();  // of a hand
-  T hand_end = T(0);              // likewise
-  T work = T(0);                  // [J] that the hand has done
+  T nominal = T(0);                                            // [s] of a cluster: the time that its velocity is of
+  Vec3<T> v_rate = Vec3<T>::Zero(), L_rate = Vec3<T>::Zero();  // of a cluster: means of its step
+  T last_touch = T(0);                                         // [s] of a cluster: when another stone pushed it
+  Vec3<T> w_W = Vec3<T>::Zero();                               // of a hand
+  T hand_end = T(0);                                           // likewise
+  T work = T(0);                                               // [J] that the hand has done
   DropPast<T> past = {};
   DropStatus status = DropStatus::moving;
 
-  T bound = T(0);  // [m/s] no point of the surface is faster, until it is raised
+  SpeedBounds<T> bounds = {};
   GridPlace<T> place = {};
   std::vector<std::size_t> pairs = {};
   std::array<ContactMemory<T>, 2> ground = {};  // board, floor
-  std::size_t drop_stamp = 0, look_stamp = 0;
-  std::size_t local = no_index;  // its number in the step at work
+  std::size_t local = no_index;                 // its number in the step at work
 };
 
 template <class T>
@@ -73,8 +73,10 @@ struct PairRecord {
   bool used = false;
   bool exact = false;    // `due` holds for their present motions only
   bool touches = false;  // when it is due
-  T due = T(0);          // [s] when to look again
-  std::size_t stamp = 0;
+  bool of_centres = false;
+  T speed = T(0);  // [m/s] else `due` holds for relative speeds, of the centres or of the surfaces, up to this
+  T due = T(0);    // [s] when to look again
+  Vec3<T> n_W = Vec3<T>::Zero();  // that separated most, last time; 0: not yet looked at
   ContactMemory<T> contact;
 };
 
@@ -82,26 +84,8 @@ template <class T>
 struct Cluster {
   std::vector<std::size_t> members;
   bool used = false, asleep = false;
-  T end = T(0);  // [s] of its step
-  std::size_t stamp = 0;
+  T end = T(0);                 // [s] of its step
   int wait = 0, next_wait = 1;  // steps until rest is tried again
-};
-
-/// In this order, if at one time.
-enum class DueKind { stretch, look, pair, step };
-
-template <class T>
-struct Due {
-  T time;
-  DueKind kind;
-  std::size_t id, stamp;
-
-  /// For a heap with the first on top.
-  [[nodiscard]] friend bool operator<(const Due& a, const Due& b) {
-    return a.time < b.time   ? false
-           : b.time < a.time ? true
-                             : std::tie(b.kind, b.id, b.stamp) < std::tie(a.kind, a.id, a.stamp);
-  }
 };
 
 /// Things in numbered slots, the free ones used again.
@@ -109,18 +93,12 @@ template <class V>
 class Slots {
  public:
   [[nodiscard]] std::size_t add(V value) {
-    return add_keeping(std::move(value), [](const V&, V&) {});
-  }
-  /// `keep` takes over from what was in the slot before.
-  template <class Keep>
-  [[nodiscard]] std::size_t add_keeping(V value, Keep&& keep) {
     if (free_.empty()) {
       all_.push_back(std::move(value));
       return all_.size() - 1;
     }
     const std::size_t i = free_.back();
     free_.pop_back();
-    keep(all_[i], value);
     all_[i] = std::move(value);
     return i;
   }

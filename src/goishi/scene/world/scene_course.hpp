@@ -15,7 +15,7 @@ class SceneCourse {
   /// Whatever is due up to a time; to the point where everything rests, if that is wanted. True if it does then.
   bool run(const T& until, bool to_rest) {
     while (!(to_rest && rests())) {
-      const std::optional<Due<T>> due = world.next(until);
+      const std::optional<Due<T>> due = world.agenda.next(until);
       if (!due) {
         return rests();
       }
@@ -50,7 +50,7 @@ class SceneCourse {
     awake_ = 0;
     for (const Member<T>& member : world.members) {
       const bool still = member.keeper == Keeper::removed || world.is_asleep(member) ||
-                         (member.keeper == Keeper::hand && !(T(0) < member.bound));
+                         (member.keeper == Keeper::hand && !(T(0) < member.bounds.surface));
       awake_ += still ? 0 : 1;
     }
     counted_ = true;
@@ -75,7 +75,7 @@ class SceneCourse {
   void begin(std::size_t i) {
     world.members[i].fresh = true;
     counted_ = false;
-    world.schedule(DueKind::stretch, i, world.now);
+    world.agenda.set(DueKind::stretch, i, world.now);
   }
 
   /// Brings a stone's drop to the present.
@@ -99,13 +99,14 @@ class SceneCourse {
     }
     member.keeper = Keeper::cluster;
     member.time = member.nominal = member.last_touch = world.now;
+    member.v_rate = member.L_rate = Vec3<T>::Zero();
     member.cluster = world.new_cluster();
     for (ContactMemory<T>& memory : member.ground) {
       memory = {};
     }
     world.clusters[member.cluster].members.assign(1, i);
     world.clusters[member.cluster].end = world.now;
-    world.schedule(DueKind::step, member.cluster, world.now);
+    world.agenda.set(DueKind::step, member.cluster, world.now);
     return member.cluster;
   }
 
@@ -119,15 +120,15 @@ class SceneCourse {
       counted_ = false;
       for (const std::size_t i : cluster.members) {
         Member<T>& member = world.members[i];
-        member.time = member.nominal = world.now;
-        member.last_touch = world.now;
+        member.time = member.nominal = member.last_touch = world.now;
+        member.v_rate = member.L_rate = Vec3<T>::Zero();
       }
     } else {
       world.counters.cut_steps += world.now < cluster.end ? 1 : 0;
       ClusterStep<T>::bring(world, c);
     }
     cluster.end = world.now;
-    world.schedule(DueKind::step, c, world.now);
+    world.agenda.set(DueKind::step, c, world.now);
   }
 
   /// Two clusters become one.
@@ -189,7 +190,7 @@ class SceneCourse {
     member.past = past;
     world.drops.remove(member.drop);
     member.drop = no_index;
-    world.unschedule(DueKind::stretch, i);
+    world.agenda.remove(DueKind::stretch, i);
   }
 
   // --- what is due
@@ -208,7 +209,7 @@ class SceneCourse {
       member.status = status;
       let_go(i, drop.past());
       member.keeper = Keeper::rest;
-      member.bound = T(0);
+      member.bounds = {};
       counted_ = false;
       return;
     }
@@ -216,12 +217,13 @@ class SceneCourse {
       static_cast<void>(to_cluster(i));  // what its equations do not pass, steps do
       return;
     }
-    world.bound_by(i, speed_bound(drop, member.reach, member.lever, member.rates));
+    const SpeedBounds<T> bounds = speed_bounds(drop, member.reach, member.lever, member.rates, world.now);
+    world.bound_by(i, bounds);
     if (member.fresh) {
       member.fresh = false;
       world.turn(i);
     }
-    world.schedule(DueKind::stretch, i, drop.stretch().end);
+    world.agenda.set(DueKind::stretch, i, bounds.until);
   }
 
   /// A hand has come to the end of its way.
@@ -231,7 +233,7 @@ class SceneCourse {
     member.time = world.now;
     member.state.v_WB = member.state.L_W = member.w_W = Vec3<T>::Zero();
     member.hand_end = std::numeric_limits<T>::infinity();
-    member.bound = T(0);
+    member.bounds = {};
     counted_ = false;
     world.turn(i);
   }
@@ -240,9 +242,9 @@ class SceneCourse {
     switch (step_(world, c)) {
       case ClusterStep<T>::Outcome::splits:
         for (const std::size_t part : step_.parts()) {
-          world.schedule(DueKind::step, part, world.now);
+          world.agenda.set(DueKind::step, part, world.now);
         }
-        world.schedule(DueKind::step, c, world.now);
+        world.agenda.set(DueKind::step, c, world.now);
         break;
       case ClusterStep<T>::Outcome::leaves: {
         const std::size_t i = world.clusters[c].members.front();
@@ -361,7 +363,7 @@ class SceneCourse {
     if (!hand1 && !hand2) {
       const std::size_t c = world.members[i].cluster, d = world.members[j].cluster;
       merge(c, d);
-      world.schedule(DueKind::step, world.members[i].cluster, world.now);
+      world.agenda.set(DueKind::step, world.members[i].cluster, world.now);
     }
   }
 

@@ -5,6 +5,7 @@
 #include <goishi/board/board.hpp>
 #include <goishi/scene/pairs/first_touch.hpp>
 #include <goishi/scene/settings.hpp>
+#include <goishi/scene/world/agenda.hpp>
 #include <goishi/scene/world/members.hpp>
 #include <optional>
 
@@ -23,37 +24,9 @@ class World {
   Slots<PairRecord<T>> pairs;
   Slots<Cluster<T>> clusters;
   Slots<Drop<T>> drops;
+  Agenda<T> agenda;
   SceneCounters counters;
   SceneSink<T> sink;  // of the present call
-
-  // --- what is due
-
-  void schedule(DueKind kind, std::size_t id, const T& time) {
-    const std::size_t stamp = ++stamp_of(kind, id);
-    if (time < std::numeric_limits<T>::infinity()) {
-      queue_.push_back({time, kind, id, stamp});
-      std::push_heap(queue_.begin(), queue_.end());
-    }
-  }
-
-  void unschedule(DueKind kind, std::size_t id) { ++stamp_of(kind, id); }
-
-  /// The next that is due up to a time, taken off; or nothing.
-  [[nodiscard]] std::optional<Due<T>> next(const T& until) {
-    while (!queue_.empty()) {
-      const Due<T> first = queue_.front();
-      const bool stale = stamp_of(first.kind, first.id) != first.stamp;
-      if (!stale && until < first.time) {
-        return std::nullopt;
-      }
-      std::pop_heap(queue_.begin(), queue_.end());
-      queue_.pop_back();
-      if (!stale) {
-        return first;
-      }
-    }
-    return std::nullopt;
-  }
 
   // --- where stones are
 
@@ -82,15 +55,35 @@ class World {
                : member.state;
   }
 
+  /// The same with a cluster's velocities, which are of the middles of steps, taken to the time, too.
+  [[nodiscard]] State<T> seen_at(const Member<T>& member, const T& time) const {
+    State<T> state = state_at(member, time);
+    if (member.keeper == Keeper::cluster && !is_asleep(member)) {
+      const T t = time - member.nominal;
+      state.v_WB = formula::plus(state.v_WB, t, member.v_rate);
+      state.L_W = formula::plus(state.L_W, t, member.L_rate);
+    }
+    return state;
+  }
+
+  [[nodiscard]] Vec3<T> centre_at(const Member<T>& member, const T& time) const {
+    if (member.keeper == Keeper::drop) {
+      return centre_of(drops[member.drop], time);
+    }
+    const Vec3<T>& p = member.state.p_WB;
+    return is_asleep(member) ? p : formula::plus(p, T(time - member.time), member.state.v_WB);
+  }
+
   /// How it moves as far as is known.
   [[nodiscard]] Moving<T> moving(const Member<T>& member) const {
     constexpr T never = std::numeric_limits<T>::infinity();
     if (member.keeper == Keeper::drop) {
       Moving<T> result = moving_of(drops[member.drop], member.rates);
-      result.speed = member.bound;
+      result.speed = member.bounds.surface;
+      result.end = scalar::min(result.end, member.bounds.until);
       return result;
     }
-    Moving<T> result{.stone = &member.stone, .begin = member.time, .end = never, .speed = member.bound};
+    Moving<T> result{.stone = &member.stone, .begin = member.time, .end = never, .speed = member.bounds.surface};
     result.path = path_of(member.state, member.rates, Vec3<T>(Vec3<T>::Zero()));
     if (member.keeper == Keeper::hand) {
       const T rate = scalar::sqrt(formula::dot(member.w_W, member.w_W));
@@ -140,22 +133,22 @@ class World {
     while (!members[i].pairs.empty()) {
       drop_pair(members[i].pairs.back());
     }
-    unschedule(DueKind::look, i);
-    unschedule(DueKind::stretch, i);
+    agenda.remove(DueKind::look, i);
+    agenda.remove(DueKind::stretch, i);
   }
 
   /// Whether a stone is still where its neighbours were counted, or near.
   void look(std::size_t i, const T& time) {
     const Member<T>& member = members[i];
-    const Vec3<T> p = centre(moving(member), time);
+    const Vec3<T> p = centre_at(member, time);
     const T half = margin() / T(2);
     T away = scalar::sqrt(T(scalar::sq(T(p.x() - member.place.x)) + scalar::sq(T(p.y() - member.place.y))));
     if (T(0.5) * half < away) {
       settle_at(i, p);
       away = T(0);
     }
-    if (T(0) < member.bound) {
-      schedule(DueKind::look, i, T(time + (half - away) / member.bound));
+    if (T(0) < member.bounds.centre) {
+      agenda.set(DueKind::look, i, T(time + (half - away) / member.bounds.centre));
     }
   }
 
@@ -166,28 +159,30 @@ class World {
 
   // --- pairs
 
-  /// Sets the bound of a stone's speed. What was found with a lower one is looked at again.
-  void bound_by(std::size_t i, const T& speed) {
-    Member<T>& member = members[i];
-    if (speed <= member.bound && T(0.5) * member.bound <= speed) {
+  /// Bounds a stone's speeds. What was found with lower ones holds for less long.
+  void bound_by(std::size_t i, const SpeedBounds<T>& speeds) {
+    SpeedBounds<T>& bounds = members[i].bounds;
+    bounds.until = speeds.until;
+    const auto is_near = [](const T& speed, const T& bound) { return speed <= bound && T(0.25) * bound <= speed; };
+    if (is_near(speeds.centre, bounds.centre) && is_near(speeds.surface, bounds.surface)) {
       return;
     }
-    const bool higher = member.bound < speed;
-    member.bound = T(1.1) * speed;
+    const bool higher = bounds.centre < speeds.centre || bounds.surface < speeds.surface;
+    bounds = {T(T(1.4) * speeds.centre), T(T(1.4) * speeds.surface), speeds.until};
     if (higher) {
-      schedule(DueKind::look, i, now);
-      for (const std::size_t k : member.pairs) {
+      agenda.set(DueKind::look, i, now);
+      for (const std::size_t k : members[i].pairs) {
         if (!pairs[k].exact && !is_listed(pairs[k])) {
-          ask(k);
+          hasten(k);
         }
       }
     }
   }
 
-  /// The motion of a stone is another from now on.
+  /// The motion of a stone is another from now on. What was found by its bounds alone holds on.
   void turn(std::size_t i) {
     for (const std::size_t k : members[i].pairs) {
-      if (!is_listed(pairs[k])) {
+      if (pairs[k].exact && !is_listed(pairs[k])) {
         ask(k);
       }
     }
@@ -206,7 +201,27 @@ class World {
   /// Looks at a pair now.
   void ask(std::size_t k) {
     pairs[k].touches = false;
-    schedule(DueKind::pair, k, now);
+    agenda.set(DueKind::pair, k, now);
+  }
+
+  /// How far the stones of a pair are apart, the normal out of the second.
+  [[nodiscard]] Separation<T> apart(PairRecord<T>& pair, const Placed<T>& one, const Placed<T>& two) {
+    ++counters.separations;
+    const Separation<T> found = separation(one, two);
+    pair.n_W = found.n_W;
+    return found;
+  }
+
+  /// A pair whose stones may be faster from now on has what is left of its way to go.
+  void hasten(std::size_t k) {
+    PairRecord<T>& pair = pairs[k];
+    const SpeedBounds<T>&a = members[pair.first].bounds, &b = members[pair.second].bounds;
+    const T speed = pair.of_centres ? T(a.centre + b.centre) : T(a.surface + b.surface);
+    if (pair.speed < speed) {
+      pair.due = now < pair.due && T(0) < pair.speed ? T(now + (pair.due - now) * (pair.speed / speed)) : now;
+      pair.speed = speed;
+      agenda.set(DueKind::pair, k, pair.due);
+    }
   }
 
   /// When a pair has to be looked at again, or touches.
@@ -214,45 +229,86 @@ class World {
     PairRecord<T>& pair = pairs[k];
     const Member<T>&a = members[pair.first], &b = members[pair.second];
     const bool by_hand = a.keeper == Keeper::hand && b.keeper == Keeper::hand;
-    if (is_listed(pair) || by_hand || !(T(0) < a.bound + b.bound)) {
+    const T speed = a.bounds.surface + b.bounds.surface;
+    if (is_listed(pair) || by_hand || !(T(0) < speed)) {
+      pair.exact = false;
+      pair.speed = T(0);  // to be looked at when one of them moves
+      return;
+    }
+    ++counters.looks;
+    const Vec3<T> between = formula::minus(centre_at(a, now), centre_at(b, now));
+    const T spheres = scalar::sqrt(formula::dot(between, between)) - (a.reach + b.reach);
+    if (T(2) * range < spheres) {  // and not by less and less
+      if (!fly_apart(k, between)) {
+        wait(k, T(spheres - range), T(a.bounds.centre + b.bounds.centre), true);
+      }
       return;
     }
     const Moving<T> one = moving(a), two = moving(b);
-    ++counters.looks;
-    const Vec3<T> between = formula::minus(centre(one, now), centre(two, now));
-    const T spheres = scalar::sqrt(formula::dot(between, between)) - (a.reach + b.reach);
-    if (T(2) * range < spheres) {  // and not by less and less
-      wait(k, T(spheres - range), false);
-      return;
-    }
-    const Separation<T> apart = separation(sight(one, now).placed, sight(two, now).placed);
-    ++counters.separations;
     const T limit = one.end < two.end ? one.end : two.end;
     if (!(now < limit)) {  // a cluster's step is due now, which asks again
       pair.exact = true;
       pair.touches = false;
       return;
     }
-    const T far = now + (apart.gap - range) / (a.bound + b.bound);
-    if (limit <= far && T(2) * range < apart.gap) {
-      wait(k, T(apart.gap - range), false);
+    const Placed<T> first = sight(one, now).placed, second = sight(two, now).placed;
+    if (T(0) < formula::dot(pair.n_W, pair.n_W)) {
+      const T least = gap_along_normal(first, second, pair.n_W);
+      if (T(2) * range < least && limit <= now + (least - range) / speed) {
+        wait(k, T(least - range), speed, false);
+        return;
+      }
+    }
+    const Separation<T> apart = this->apart(pair, first, second);
+    const T safe = (apart.gap - range) / speed;
+    if (limit <= now + safe && T(2) * range < apart.gap) {
+      wait(k, T(apart.gap - range), speed, false);
       return;
     }
     const FirstTouch<T> found = first_touch(one, two, now, limit, *settings.clearance, apart);
     counters.separations += found.separations;
+    if (!found.touches && found.time <= now + safe) {
+      wait(k, T(apart.gap - range), speed, false);
+      return;
+    }
     pair.touches = found.touches;
-    pair.exact = found.touches || far < found.time;
-    pair.due = pair.exact ? found.time : far;
-    schedule(DueKind::pair, k, pair.due);
+    pair.exact = true;
+    pair.due = found.time;
+    agenda.set(DueKind::pair, k, pair.due);
   }
 
-  /// Nothing happens to a pair until its gap may have closed by so much.
-  void wait(std::size_t k, const T& gap, bool exact) {
+  /// Two stones that both fly, and fall alike, meet no sooner than the spheres around them, which go straight on seen from each
+  /// other. False if they do not.
+  [[nodiscard]] bool fly_apart(std::size_t k, const Vec3<T>& between) {
     PairRecord<T>& pair = pairs[k];
+    const Member<T>&a = members[pair.first], &b = members[pair.second];
+    if (a.keeper != Keeper::drop || b.keeper != Keeper::drop) {
+      return false;
+    }
+    const Stretch<T>&one = drops[a.drop].stretch(), &two = drops[b.drop].stretch();
+    const auto *first = std::get_if<Flying<T>>(&one.motion), *second = std::get_if<Flying<T>>(&two.motion);
+    if (first == nullptr || second == nullptr || first->gravity != second->gravity) {
+      return false;
+    }
+    const Vec3<T> v =
+        formula::plus(formula::minus(first->from.v_WB, second->from.v_WB), T(two.begin - one.begin), first->gravity);
+    const T limit = one.end < two.end ? one.end : two.end;
+    const T meets = now + meeting_time(between, v, T(a.reach + b.reach + range));
     pair.touches = false;
-    pair.exact = exact;
-    pair.due = now + gap / (members[pair.first].bound + members[pair.second].bound);
-    schedule(DueKind::pair, k, pair.due);
+    pair.exact = true;
+    pair.due = meets < limit ? meets : limit;
+    agenda.set(DueKind::pair, k, pair.due);
+    return true;
+  }
+
+  /// Nothing happens to a pair until its stones, or only their centres, have come nearer by a length.
+  void wait(std::size_t k, const T& length, const T& speed, bool of_centres) {
+    PairRecord<T>& pair = pairs[k];
+    pair.touches = pair.exact = false;
+    pair.of_centres = of_centres;
+    pair.speed = speed;
+    pair.due = now + length / speed;
+    agenda.set(DueKind::pair, k, pair.due);
   }
 
   // --- clusters
@@ -260,14 +316,13 @@ class World {
   [[nodiscard]] std::size_t new_cluster() {
     Cluster<T> cluster;
     cluster.used = true;
-    return clusters.add_keeping(cluster,
-                                [](const Cluster<T>& last, Cluster<T>& fresh) { fresh.stamp = last.stamp + 1; });
+    return clusters.add(cluster);
   }
 
   void drop_cluster(std::size_t c) {
     clusters[c].used = false;
     clusters[c].members.clear();
-    ++clusters[c].stamp;
+    agenda.remove(DueKind::step, c);
     clusters.remove(c);
   }
 
@@ -301,20 +356,6 @@ class World {
     return [this](std::size_t i) -> GridPlace<T>& { return members[i].place; };
   }
 
-  [[nodiscard]] std::size_t& stamp_of(DueKind kind, std::size_t id) {
-    switch (kind) {
-      case DueKind::stretch:
-        return members[id].drop_stamp;
-      case DueKind::look:
-        return members[id].look_stamp;
-      case DueKind::pair:
-        return pairs[id].stamp;
-      case DueKind::step:
-        break;
-    }
-    return clusters[id].stamp;
-  }
-
   /// Whether two stones may touch before either is counted again.
   [[nodiscard]] bool are_near(const Member<T>& a, const Member<T>& b) const {
     const T most = a.reach + b.reach + margin();
@@ -342,9 +383,7 @@ class World {
       pair.first = first;
       pair.second = second;
       pair.used = true;
-      // A slot that is used again keeps its stamp: what is due for its last pair stays stale.
-      const std::size_t k = pairs.add_keeping(
-          pair, [](const PairRecord<T>& last, PairRecord<T>& fresh) { fresh.stamp = last.stamp + 1; });
+      const std::size_t k = pairs.add(pair);
       members[i].pairs.push_back(k);
       members[j].pairs.push_back(k);
       ask(k);
@@ -358,11 +397,10 @@ class World {
       list.erase(std::find(list.begin(), list.end(), k));
     }
     pair.used = false;
-    ++pair.stamp;
+    agenda.remove(DueKind::pair, k);
     pairs.remove(k);
   }
 
-  std::vector<Due<T>> queue_;
   Grid<T> grid_;
   T widest_ = T(0);  // [m] greatest reach
 };
