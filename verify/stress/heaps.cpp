@@ -280,7 +280,7 @@ class HeapJudge {
       const auto deep = [&](double gap, const std::string& in) {
         const double depth = -gap / stone.width;
         verdict_.depth = std::max(verdict_.depth, depth);
-        if (!(depth <= 1e-2)) {  // half as thick as the thinnest
+        if (!(depth <= 0.03)) {
           fault(fmt::format("stone {} is {:.3g} widths deep in {}", static_cast<int>(stones[i]), depth, in));
         }
       };

@@ -229,6 +229,17 @@ Measurement measure_heaps(Context& context) {
     Scene<double> woken = scene;
     woken.change(woken.settings());
     see_choice(checks["rest"], woken.run_until_rest(1.0), [&] { return fmt::format("heap {}, woken", k); });
+    // On a slope that holds nothing all of it goes.
+    Scene<double> tilted = scene;
+    SceneSettings<double> steep = tilted.settings();
+    steep.drop.gravity = {g_earth * std::sin(1.0), 0.0, -g_earth * std::cos(1.0)};
+    tilted.change(steep);
+    tilted.advance(0.05);
+    for (const StoneId id : scene.stones()) {
+      see_choice(checks["stays on a slope"],
+                 1e-3 < (context.produced(tilted.state(id).p_WB) - scene.state(id).p_WB).norm(),
+                 [&] { return fmt::format("heap {}, stone {}", k, static_cast<int>(id)); });
+    }
     for (const StoneId id : scene.stones()) {
       checks["moves, woken"].see((context.produced(woken.state(id).p_WB) - scene.state(id).p_WB).norm(),
                                  [&] { return fmt::format("heap {}, stone {}", k, static_cast<int>(id)); });
@@ -260,7 +271,7 @@ std::vector<Claim> scene_statics_claims() {
        .statement =
            "A heap of 16 stones, thrown on each other, comes to rest. Then each stone is held: the forces on it add "
            "up to its weight, their moments to what resistance bears, each in its cone. The board bears all. "
-           "What rests costs nothing; woken, it rests again, where it was.",
+           "What rests costs nothing; woken, it rests again, where it was; tilted, all of it goes.",
        .function = "Scene::run_until_rest",
        .family = OracleFamily::invariant,
        .oracle = "balance of forces and moments of each stone, in long double",
@@ -270,7 +281,8 @@ std::vector<Claim> scene_statics_claims() {
                   within("cone", 1e-9, "of μ N", "the cone is met to 1e-10", 1e-10),
                   within("weight", 1e-5, "of the weight", "as the forces", 1e-6),
                   within("moves, woken", 1e-5, "m", "measured", 2e-7), none("pulls", "contacts"),
-                  none("rest", "heaps that do not"), none("still", "stones that move"), none("costs", "heaps")},
+                  none("rest", "heaps that do not"), none("still", "stones that move"), none("costs", "heaps"),
+                  none("stays on a slope", "stones")},
        .mutants = {{"scene/world/cluster_step.hpp",
                     "rests = rests && formula::dot(mover.v, mover.v) <= scalar::sq(still)",
                     "rests = rests && formula::dot(mover.v, mover.v) <= scalar::sq(T(1000) * still)"}},
