@@ -32,7 +32,7 @@ class Twins {
   Twins(Context& context, int count) : scene_(make_board<double>(), settings_of(context)) {
     for (int i = 0; i < count; ++i) {
       const Piece piece = draw_piece(context, i);
-      const Vec3<double> p(0.09 * (i % 5 - 2), 0.09 * (i / 5 % 5 - 2), context.uniform(0.03, 0.06));
+      const Vec3<double> p(0.08 * (i % 4) - 0.12, 0.08 * (i / 4) - 0.12, context.uniform(0.03, 0.06));
       const State<double> start = thrown(context, piece, p, 0.1, 30.0);
       twins_.push_back({scene_.add(piece.stone(), piece.body, start),
                         Drop<double>(piece.stone(), piece.body, start, scene_.board(), scene_.settings().drop)});
@@ -84,16 +84,16 @@ Measurement measure_alone(Context& context) {
   Checks checks;
   int met = 0, rests = 0;
   for (int k = 0; k < context.samples(8, 60); ++k) {
-    Twins twins(context, 20);
+    Twins twins(context, 16);
     double time = 0.0;
     for (int i = 0; i < 40; ++i) {
       time += context.uniform(0.0, 0.06);
       twins.advance_to(time);
       if (i % 8 == 5) {
         const double size = twins.scene().body(twins.all()[0].id).mass;
-        twins.push(static_cast<std::size_t>(i % 20), context.uniform(0.0, 0.2) * size * draw_unit(context));
+        twins.push(static_cast<std::size_t>(i % 16), context.uniform(0.0, 0.2) * size * draw_unit(context));
       }
-      if (i == 20 || i == 30) {
+      if (i == 20 || i == 26) {
         twins.tilt({i == 20 ? 1.0 : 0.0, 0.0, -9.8});
       }
     }
