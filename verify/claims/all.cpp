@@ -70,6 +70,7 @@ std::vector<Claim> all_claims() {
       {"claims/scene/witness.cpp", scene_witness_claims},
       {"claims/scene/convergence.cpp", scene_convergence_claims},
       {"claims/scene/random.cpp", scene_random_claims},
+      {"claims/scene/contacts.cpp", scene_contact_claims},
       {"claims/published/numbers.cpp", published_claims},
       {"claims/published/motion.cpp", published_motion_claims},
       {"claims/published/contact.cpp", published_contact_claims},

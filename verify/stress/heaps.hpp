@@ -23,6 +23,8 @@ struct Deed {
   double duration = 0.0;  // of a hand
 };
 
+inline constexpr double longest_scene = 1.0;  // [s] in which deeds are done
+
 struct Heap {
   goishi::Scene<double> scene;
   std::vector<Deed> deeds;  // by their times

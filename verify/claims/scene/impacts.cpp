@@ -172,7 +172,7 @@ Measurement measure_impacts(Context& context) {
       }
       see_choice(checks["told of one alone"],
                  b.event.kind == EventKind::impact && b.other == a.stone && *a.other == b.stone &&
-                     b.event.time == a.event.time,
+                     b.event.time == a.event.time && b.event.impulse_W == -a.event.impulse_W,
                  [&] { return fmt::format("heap {}, event {}", k, i); });
       see_laws(context, {a, b, scene}, checks);
       ++impacts;
