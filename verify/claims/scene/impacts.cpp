@@ -141,7 +141,7 @@ void see_laws(const Context& context, const Met& met, Checks& checks) {
   const Long e = static_cast<Long>(met.scene.settings().restitution);
   checks["restitution"].see(
       as_double(std::fabs(static_cast<Long>(context.produced(1.0)) * after.dot(n) + e * before.dot(n)) / size), told);
-  const Long normal = J.dot(n), across = (J - normal * n).norm();
+  const Long normal = J.dot(n), across = (J - normal * n).norm() * static_cast<Long>(context.produced(1.0));
   checks["cone"].see(
       as_double(std::max<Long>(0, across - static_cast<Long>(met.scene.settings().friction) * normal) / (m * size)),
       told);

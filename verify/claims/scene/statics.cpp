@@ -175,7 +175,8 @@ void see_balance(const Context& context, const Scene<double>& scene, int k, Chec
     };
     const Long normal = F.dot(n), mu = contact.other ? settings.friction : settings.drop.friction;
     see_choice(checks["pulls"], normal > 0, told);
-    checks["cone"].see(as_double(std::max<Long>(0, (F - normal * n).norm() / (mu * normal) - 1)), told);
+    const Long across = (F - normal * n).norm() * static_cast<Long>(context.produced(1.0));
+    checks["cone"].see(as_double(std::max<Long>(0, across / (mu * normal) - 1)), told);
     const auto add = [&](StoneId id, Long sign) {
       Load& load = loads[id];
       load.force += sign * F;
@@ -195,7 +196,7 @@ void see_balance(const Context& context, const Scene<double>& scene, int k, Chec
     Load& load = loads[id];
     const Long3 off = load.force + m * settings.drop.gravity.cast<Long>();
     checks["forces"].see(as_double(off.norm() / (m * g)), told);
-    checks["moments"].see(as_double(load.moment.norm() / load.resistance), told);
+    checks["moments"].see(as_double(load.moment.norm() / load.resistance) * context.produced(1.0), told);
     weight += as_double(m * g);
     see_choice(checks["still"], scene.state(id).v_WB.isZero(0.0) && scene.state(id).L_W.isZero(0.0), told);
   }
