@@ -52,23 +52,31 @@ namespace goishi::verify {
 [[nodiscard]] std::vector<Claim> impact_claims();                 // IMPACT: restitution, momentum, energy, friction
 [[nodiscard]] std::vector<Claim>
 impact_process_claims();  // IMPACT: Stronge's law in a plane, and the default law beside it
-[[nodiscard]] std::vector<Claim> impact_slip_claims();       // IMPACT: Stronge's law out of the plane
-[[nodiscard]] std::vector<Claim> published_impact_claims();  // PUBLISHED: the talk's impacts
-[[nodiscard]] std::vector<Claim> published_drop_claims();    // PUBLISHED: the talk's loop on whole drops
-[[nodiscard]] std::vector<Claim> drop_odeint_claims();       // DROP: contact phases against Lagrange's equations
-[[nodiscard]] std::vector<Claim> drop_picture_claims();      // DROP: a drop's height, tilt and energy
-[[nodiscard]] std::vector<Claim> drop_whole_claims();        // DROP: every link of a drop, its end, random drops
-[[nodiscard]] std::vector<Claim> drop_bounces_claims();      // DROP: flat and elastic bounces, oblique impacts
-[[nodiscard]] std::vector<Claim> drop_rocking_claims();      // DROP: periods, decay by resistance and by damping
-[[nodiscard]] std::vector<Claim> drop_rolling_claims();      // DROP: what rolling keeps, ball, coin, Euler's disc
-[[nodiscard]] std::vector<Claim> drop_friction_claims();     // DROP: Jellett's integral, Coulomb–Contensou friction
-[[nodiscard]] std::vector<Claim> drop_spin_claims();         // DROP: threshold and settling tilts of a flat spin
-[[nodiscard]] std::vector<Claim> drop_statics_claims();      // DROP: what is held, and what the drop does with it
-[[nodiscard]] std::vector<Claim> drop_sliding_claims();      // DROP: sliding to a stop, slopes, waking
-[[nodiscard]] std::vector<Claim> drop_board_claims();        // DROP: on a board, over its edge
-[[nodiscard]] std::vector<Claim> drop_tolerance_claims();    // DROP: error by tolerance; float
-[[nodiscard]] std::vector<Claim> drop_value_claims();        // DROP: cut, stored, looked back on; a step's stages
-[[nodiscard]] std::vector<Claim> drop_scale_claims();        // DROP: other units, other sizes
+[[nodiscard]] std::vector<Claim> impact_slip_claims();        // IMPACT: Stronge's law out of the plane
+[[nodiscard]] std::vector<Claim> published_impact_claims();   // PUBLISHED: the talk's impacts
+[[nodiscard]] std::vector<Claim> published_drop_claims();     // PUBLISHED: the talk's loop on whole drops
+[[nodiscard]] std::vector<Claim> drop_odeint_claims();        // DROP: contact phases against Lagrange's equations
+[[nodiscard]] std::vector<Claim> drop_picture_claims();       // DROP: a drop's height, tilt and energy
+[[nodiscard]] std::vector<Claim> drop_whole_claims();         // DROP: every link of a drop, its end, random drops
+[[nodiscard]] std::vector<Claim> drop_bounces_claims();       // DROP: flat and elastic bounces, oblique impacts
+[[nodiscard]] std::vector<Claim> drop_rocking_claims();       // DROP: periods, decay by resistance and by damping
+[[nodiscard]] std::vector<Claim> drop_rolling_claims();       // DROP: what rolling keeps, ball, coin, Euler's disc
+[[nodiscard]] std::vector<Claim> drop_friction_claims();      // DROP: Jellett's integral, Coulomb–Contensou friction
+[[nodiscard]] std::vector<Claim> drop_spin_claims();          // DROP: threshold and settling tilts of a flat spin
+[[nodiscard]] std::vector<Claim> drop_statics_claims();       // DROP: what is held, and what the drop does with it
+[[nodiscard]] std::vector<Claim> drop_sliding_claims();       // DROP: sliding to a stop, slopes, waking
+[[nodiscard]] std::vector<Claim> drop_board_claims();         // DROP: on a board, over its edge
+[[nodiscard]] std::vector<Claim> drop_tolerance_claims();     // DROP: error by tolerance; float
+[[nodiscard]] std::vector<Claim> drop_value_claims();         // DROP: cut, stored, looked back on; a step's stages
+[[nodiscard]] std::vector<Claim> drop_scale_claims();         // DROP: other units, other sizes
+[[nodiscard]] std::vector<Claim> scene_alone_claims();        // SCENE: what must change nothing
+[[nodiscard]] std::vector<Claim> scene_impact_claims();       // SCENE: when two stones meet, and how
+[[nodiscard]] std::vector<Claim> scene_statics_claims();      // SCENE: what stands still
+[[nodiscard]] std::vector<Claim> scene_cluster_claims();      // SCENE: clusters: steps, laws
+[[nodiscard]] std::vector<Claim> scene_witness_claims();      // SCENE: clusters beside another scheme
+[[nodiscard]] std::vector<Claim> scene_convergence_claims();  // SCENE: error by step
+[[nodiscard]] std::vector<Claim> scene_random_claims();       // SCENE: random boards
+[[nodiscard]] std::vector<Claim> scene_contact_claims();      // SCENE: contacts of a cluster, step by step
 
 [[nodiscard]] std::vector<Claim> all_claims();
 

@@ -12,7 +12,7 @@ namespace goishi::verify {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 25> titles = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 26> titles = {{
     {"SINE", "Sine and cosine of our own"},
     {"ATAN", "The arctangent of our own"},
     {"SHAPE", "Shape of lens and bevel"},
@@ -38,6 +38,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 25> titles =
     {"TOI", "Time of impact"},
     {"IMPACT", "Impact and friction"},
     {"DROP", "From flight to rest"},
+    {"SCENE", "A board with many stones"},
 }};
 
 std::string title_of(std::string_view prefix) {

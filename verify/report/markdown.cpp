@@ -20,7 +20,7 @@ namespace goishi::verify::markdown {
 namespace {
 
 /// By the folders of verify/claims. A folder without a title here stands behind these, by its name.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 10> subjects = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 11> subjects = {{
     {"scalar", "Elementary functions"},
     {"shape", "Shape: surface, board, rays"},
     {"mass", "Mass: volume, inertia, table"},
@@ -29,6 +29,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 10> subjects
     {"contact", "Contact: gaps, time of impact"},
     {"impact", "Impact: laws, friction"},
     {"drop", "Drop: from a fall to rest"},
+    {"scene", "Scene: a board with many stones"},
     {"enclosure", "Enclosures: the formulas on balls"},
     {"published", "Published: the talk's numbers"},
 }};

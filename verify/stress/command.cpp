@@ -27,6 +27,13 @@ void clear_progress() {
   }
 }
 
+/// Of a case that does not end.
+[[noreturn]] void give_up(const std::string& how_to_replay) {
+  fmt::print("FAILS  does not end within {} s\n       replay: {}\n", longest_case, how_to_replay);
+  std::fflush(stdout);
+  std::_Exit(1);
+}
+
 void print_tally(const Tally& tally, std::uint64_t seed) {
   for (const Failure& failure : tally.failures) {
     fmt::print("FAILS  {}\n       replay: {}\n", failure.fault, replay(seed, failure.index));
@@ -97,6 +104,41 @@ bool run_all_poses(const Order& order) {
   return tally.failures.empty();
 }
 
+std::string replay_heap(std::uint64_t seed, std::uint64_t index) {
+  return fmt::format("goishi-verify stress --of scenes --seed {} --case {}", seed, index);
+}
+
+bool run_single_heap(std::uint64_t seed, std::uint64_t index) {
+  const HeapVerdict verdict = judge_heap(seed, index);
+  fmt::print("{}\n", describe_heap(seed, index));
+  fmt::print("{} impacts of stones, {} steps of clusters, {}\n", verdict.counters.pair_impacts, verdict.counters.steps,
+             verdict.rests ? "rests" : "is not asked to rest");
+  for (const std::string& fault : verdict.faults) {
+    fmt::print("FAILS  {}\n", fault);
+  }
+  return verdict.faults.empty();
+}
+
+bool run_all_heaps(const Order& order) {
+  const HeapTally tally = run_heaps(
+      order, [&](std::uint64_t finished) { show_progress(finished, order, 10, "scenes"); },
+      [&](std::uint64_t index) { give_up(replay_heap(order.seed, index)); });
+  clear_progress();
+  for (const Failure& failure : tally.failures) {
+    fmt::print("FAILS  {}\n       replay: {}\n", failure.fault, replay_heap(order.seed, failure.index));
+  }
+  fmt::print("{} scenes, {} failed; seed {}, {:.1f} s\n", tally.samples, tally.failures.size(), order.seed,
+             tally.seconds);
+  fmt::print("  {:>8}  stones, {} starts that overlap refused\n", tally.stones, tally.refused);
+  fmt::print("  {:>8}  scenes come to rest\n", tally.rest);
+  fmt::print("  {:>8}  impacts of two stones, {} steps of clusters, {} not solved\n", tally.counters.pair_impacts,
+             tally.counters.steps, tally.counters.unsolved);
+  fmt::print("  deepest {:.2g} widths; greatest rise of energy {:.2g} of what a step allows\n", tally.depth,
+             tally.energy_rise);
+  fmt::print("  slowest {:.2f} s: {}\n", tally.slowest, replay_heap(order.seed, tally.slowest_index));
+  return tally.failures.empty();
+}
+
 }  // namespace
 
 CLI::App* define_stress(CLI::App& app, Options& options) {
@@ -106,11 +148,12 @@ CLI::App* define_stress(CLI::App& app, Options& options) {
       "nothing is NaN, nothing tunnels, energy never rises, and every drop ends at rest or says why not.");
   stress->option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   stress
-      ->add_option(
-          "--of", options.of,
-          "drops, or poses: random stones in the board and in each other, thin ones, near edges and corners and "
-          "exactly singular, each gap judged by a proof over all normals")
-      ->check(CLI::IsMember({"drops", "poses"}))
+      ->add_option("--of", options.of,
+                   "drops; poses: random stones in the board and in each other, thin ones, near edges and corners and "
+                   "exactly singular, each gap judged by a proof over all normals; or scenes: boards with 2 to 50 "
+                   "random stones, "
+                   "with blows, hands and tilts")
+      ->check(CLI::IsMember({"drops", "poses", "scenes"}))
       ->capture_default_str()
       ->type_name("WHAT");
   stress->add_option("--seed", options.order.seed, "seed of all")
@@ -144,16 +187,15 @@ bool run_stress_command(const Options& options) {
   if (options.of == "poses") {
     return options.single ? run_single_pose(seed, *options.single) : run_all_poses(options.order);
   }
+  if (options.of == "scenes") {
+    return options.single ? run_single_heap(seed, *options.single) : run_all_heaps(options.order);
+  }
   if (options.single) {
     return run_single(seed, *options.single);
   }
   const Tally tally = run_stress(
       options.order, [&](std::uint64_t finished) { show_progress(finished, options.order, 100, "drops"); },
-      [&](std::uint64_t index) {
-        fmt::print("FAILS  does not end within {} s\n       replay: {}\n", longest_drop, replay(seed, index));
-        std::fflush(stdout);
-        std::_Exit(1);
-      });
+      [&](std::uint64_t index) { give_up(replay(seed, index)); });
   clear_progress();
   print_tally(tally, seed);
   return tally.failures.empty();

@@ -9,15 +9,9 @@
 #include <vector>
 
 #include "verify/stress/judge.hpp"
+#include "verify/stress/workers.hpp"
 
 namespace goishi::verify::stress {
-
-struct Order {
-  std::uint64_t seed = 1;
-  std::uint64_t samples = 1000;
-  double seconds = 0.0;  // stop after so long; 0: never
-  unsigned threads = 1;
-};
 
 struct Failure {
   std::uint64_t index;
@@ -38,9 +32,6 @@ struct Tally {
 
 /// A drop that computes for longer, its judgement included, is reported as a failure.
 inline constexpr double long_drop = 0.5;  // [s]
-
-/// A drop that runs for longer than this is a failure of its own: the test names it and stops the program.
-inline constexpr double longest_drop = 60.0;  // [s]
 
 /// The drop of an index, judged; what it throws is a fault.
 [[nodiscard]] Verdict judge_index(std::uint64_t seed, std::uint64_t index);
