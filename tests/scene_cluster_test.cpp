@@ -234,6 +234,107 @@ TEST(SceneCluster, EnergyNeverRises) {
   EXPECT_LT(500, steps);
 }
 
+/// As of a stone alone: a stone that rolls and turns on the spot, in a cluster since another one has touched it, comes to
+/// where its drop comes.
+TEST(SceneCluster, ResistanceIsThatOfADrop) {
+  const Kind kind(0.002);
+  SceneSettings<double> settings = rough();
+  settings.drop.tolerance = 1e-10;
+  settings.drop.rolling_resistance = 1e-4;
+  settings.drop.pivot_radius = 5e-5;
+  settings.solver_tolerance = 1e-6;
+  settings.step = 1.0 / 3840;
+  settings.clearance = 1e-8;
+  settings.leaving_time = 1e6;
+  const Quat<double> q(std::cos(0.15), 0, std::sin(0.15), 0);
+  const Vec3<double> arm =
+      kind.stone.sphere_offset * (q * Vec3<double>(0, 0, 1)) - Vec3<double>(0, 0, kind.stone.sphere_radius);
+  const Vec3<double> w(1, 2, 5);
+  State<double> start{.p_WB = {0, 0, -arm.z()}, .q_WB = q, .v_WB = -w.cross(arm), .L_W = {0, 0, 0}};
+  start.L_W = formula::angular_momentum_W<double>(q, kind.body, formula::in_body(q, w));
+  State<double> other = lying(0, 0.022, 0.012);
+  const auto between = [&] {
+    return separation(kind.stone, Pose<double>{other.p_WB, other.q_WB}, kind.stone, Pose<double>{start.p_WB, q});
+  };
+  for (int i = 0; i < 20; ++i) {
+    const Separation<double> now = between();
+    other.p_WB += (1.005 * *settings.clearance - now.gap) * now.n_W;
+  }
+  const Separation<double> now = between();
+  other.v_WB = start.v_WB + w.cross(now.p_other - start.p_WB) - 1e-6 * now.n_W;
+  Scene<double> scene(make_board<double>(), settings);
+  const StoneId id = scene.add(kind.stone, kind.body, start);
+  const StoneId passing = scene.add(kind.stone, kind.body, other);
+  scene.advance(1e-12);
+  scene.remove(passing);
+  ASSERT_EQ(scene.mode(id), StoneMode::cluster);
+  Drop<double> drop(kind.stone, kind.body, start, scene.board(), settings.drop);
+  scene.advance_to(0.1);
+  drop.advance_to(0.1);
+  const Vec3<double> axis(0, 0, 1);
+  EXPECT_LT((scene.state(id).q_WB * axis - drop.state().q_WB * axis).norm(), 1e-3);
+  EXPECT_LT((scene.state(id).p_WB - drop.state().p_WB).norm(), 5e-6);
+}
+
+/// Where its rim all but lies flat a thin stone's contact runs around it faster than the stone turns.
+TEST(SceneCluster, AThinStoneThatTurnsFastGainsNoEnergy) {
+  const Stone<double> plate = make_stone(0.022, 0.0011, 0.0005);
+  const RigidBody<double> body = make_rigid_body(mass_properties(plate, Density{2800.0}));
+  const SceneSettings<double> settings = rough();
+  for (unsigned k = 0; k < 40; ++k) {
+    std::mt19937_64 random(k);
+    std::uniform_real_distribution<double> unit(0, 1);
+    Scene<double> scene(make_board<double>(), settings);
+    State<double> start = lying(0, 0, 0);
+    const double tilt = 0.02 + 0.1 * unit(random), speed = 100 + 200 * unit(random), turn = 6.3 * unit(random);
+    start.q_WB = Quat<double>(std::cos(tilt / 2), std::sin(tilt / 2), 0, 0);
+    const Vec3<double> w(speed * std::cos(turn), 0.84 * speed, 20 * unit(random));
+    start.L_W = formula::angular_momentum_W<double>(start.q_WB, body, formula::in_body(start.q_WB, w));
+    start.p_WB.z() = -separation(plate, Pose<double>{start.p_WB, start.q_WB}, scene.board()).gap;
+    const Pose<double> pose{start.p_WB, start.q_WB};
+    start.v_WB = -w.cross(separation(plate, pose, scene.board()).p_stone - start.p_WB);
+    scene.add(plate, body, start);
+    State<double> other = lying(0.004, 0.002, 0.02);
+    const auto between = [&] { return separation(plate, Pose<double>{other.p_WB, other.q_WB}, plate, pose); };
+    for (int i = 0; i < 30; ++i) {
+      const Separation<double> now = between();
+      other.p_WB += (1.005 * plate.width / 44000 - now.gap) * now.n_W;
+    }
+    const Separation<double> now = between();
+    other.v_WB = start.v_WB + w.cross(now.p_other - start.p_WB) - 1e-3 * now.n_W;
+    scene.add(plate, body, other);
+    const double energy = scene.energy();
+    for (int i = 0; i < 40; ++i) {
+      scene.advance(1.0 / 4000);
+      ASSERT_LT(scene.energy(), 1.05 * energy) << k;
+    }
+  }
+}
+
+/// It bounces on the other one, which rests as soon as it is left alone, and comes back.
+TEST(SceneCluster, WhatRestsAtOnceIsNotForgotten) {
+  const Stone<double> low = make_stone(0.019295, 0.019277, 0.0114), high = make_stone(0.03154, 0.010624);
+  const auto body_of = [](const Stone<double>& stone) {
+    return make_rigid_body(mass_properties(stone, Density{2800.0}));
+  };
+  SceneSettings<double> settings;
+  settings.drop.tolerance = 8.1e-6;
+  settings.friction = 0;
+  settings.drop.friction = 0.111;
+  settings.restitution = settings.drop.restitution = 0.563;
+  for (int k = 0; k < 6; ++k) {
+    Scene<double> scene(make_board<double>(), settings);
+    const StoneId below = scene.add(low, body_of(low), lying(0, 0, 0.019277 / 2));
+    const StoneId above = scene.add(high, body_of(high), lying(0, 0, 0.0743 + 0.001 * k));
+    for (int i = 0; i < 80; ++i) {
+      scene.advance(1.0 / 240);
+      const State<double> one = scene.state(below), two = scene.state(above);
+      const Pose<double> first{one.p_WB, one.q_WB}, second{two.p_WB, two.q_WB};
+      ASSERT_GT(separation(low, first, high, second).gap, -1e-5) << k << " at " << scene.time();
+    }
+  }
+}
+
 }  // namespace
 
 }  // namespace goishi::scene_test

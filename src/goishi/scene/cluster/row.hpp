@@ -66,6 +66,7 @@ struct Row {
   /// bodies turn, that the second moves by itself. In the contact's frame.
   Vec3<T> bias;
   T turning = T(0);  // [m/s] b · n, what of it is due to turning
+  T most = T(0);     // [m/s²] that turning is believed to do, by how fast all turns before the step
 
   ContactMatrix<T> W;
   Tangential<T> S;

@@ -129,9 +129,8 @@ class Sweeps {
     Vec3<T> torque = Vec3<T>(T(0), T(0), T(0));
     if (T(0) < row.p.z()) {
       torque = formula::minus(row.torque, formula::product(row.turn, turning));
-      const T share = formula::resistance_share(row.n, torque, T(row.p.z()), row.rolling, row.pivot);
-      if (T(1) < share) {
-        torque = formula::scaled(T(T(1) / share), torque);
+      if (T(1) < formula::resistance_share(row.n, torque, T(row.p.z()), row.rolling, row.pivot)) {
+        torque = borne(row, torque);
       }
     }
     const Vec3<T> more = formula::minus(torque, row.torque);
@@ -143,6 +142,43 @@ class Sweeps {
     const Vec3<T> w = formula::turning(a.mobility, a.u, more);
     const T change = a.reach * scalar::sqrt(formula::dot(w, w));
     greatest = scalar::max(greatest, change);
+  }
+
+  /// Of a torque that would stop all turning, what the normal impulse p_n bears: against the turning that is left, as
+  /// resistance is of a stone alone, τ ∝ −D⁻¹ ω.
+  ///
+  ///     (M + λ D) τ = M τ₀,  τ · D τ = p_n²,  M = I_a⁻¹ + I_b⁻¹,  D = (1 − n nᵀ)/δ² + n nᵀ/κ²,  λ > 0
+  [[nodiscard]] static Vec3<T> borne(const Row<T>& row, const Vec3<T>& stopping) {
+    const Vec3<T>& n = row.n;
+    const ContactMatrix<T> M = inverted(row.turn);
+    const Vec3<T> right = formula::product(M, stopping);
+    // In units of δ².
+    const T more = scalar::sq(T(row.rolling / row.pivot)) - T(1), bound = row.rolling * row.p.z();
+    const auto D = [&](const Vec3<T>& x) { return formula::plus(x, T(more * formula::dot(n, x)), n); };
+    const auto solved = [&](const T& lambda, const Vec3<T>& b) {
+      const T k = lambda * more;
+      return formula::solution(ContactMatrix<T>{.xx = T(M.xx + lambda + k * n.x() * n.x()),
+                                                .yy = T(M.yy + lambda + k * n.y() * n.y()),
+                                                .zz = T(M.zz + lambda + k * n.z() * n.z()),
+                                                .xy = T(M.xy + k * n.x() * n.y()),
+                                                .xz = T(M.xz + k * n.x() * n.z()),
+                                                .yz = T(M.yz + k * n.y() * n.z())},
+                               b);
+    };
+    constexpr int most_steps = 30;
+    Vec3<T> torque = stopping;
+    T lambda(0), size(0);
+    for (int i = 0; i < most_steps; ++i) {
+      const Vec3<T> weighed = D(torque);
+      size = scalar::sqrt(formula::dot(torque, weighed));
+      if (size <= T(T(1) + T(1e-9)) * bound) {
+        break;
+      }
+      // Newton on 1/size, from below.
+      lambda = lambda + (size / bound - T(1)) * scalar::sq(size) / formula::dot(weighed, solved(lambda, weighed));
+      torque = solved(lambda, right);
+    }
+    return formula::scaled(size <= bound ? T(1) : T(bound / size), torque);
   }
 
   void read(std::vector<T>& x) const {

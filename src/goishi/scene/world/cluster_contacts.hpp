@@ -93,9 +93,17 @@ class ClusterContacts {
     Row<T>& row = sweeps.rows[k];
     const RowSource<T>& source = sources[k];
     const ContactMemory<T>& memory = *source.memory;
-    const Vec3<T> turning = source.second == no_index
-                                ? on_ground(world.members[source.first].stone, row, source.contact.feature)
-                                : between(world, k, h, again);
+    Vec3<T> turning = source.second == no_index
+                          ? on_ground(world.members[source.first].stone, row, source.contact.feature)
+                          : between(world, k, h, again);
+    // Bodies that touch bend no faster than c (|ω| + |v|/c)². Where the contact jumps, or runs about a rim that all but lies
+    // flat, it tells nothing; nor by velocities that it has made itself.
+    if (!again) {
+      row.most = T(2) * sweeps.movers[row.a].reach * turning_square(k);
+    }
+    if (!(formula::dot(turning, turning) <= scalar::sq(row.most))) {
+      turning = Vec3<T>::Zero();
+    }
     row.bias = row.in_frame(formula::minus(formula::scaled(T(h / T(2)), turning), source.other_v));
     row.bias.z() = row.bias.z() + source.gap / h;
     row.turning = h / T(2) * formula::dot(row.n, turning);
@@ -240,7 +248,7 @@ class ClusterContacts {
   }
 
   /// By what has changed since the last step, or, of a contact that is new or has just been hit, will have changed a little
-  /// later. Nothing, if the contact has jumped to another place.
+  /// later.
   [[nodiscard]] Vec3<T> between(const World<T>& world, std::size_t k, const T& h, bool again) const {
     const Row<T>& row = sweeps.rows[k];
     const RowSource<T>& source = sources[k];
@@ -268,9 +276,7 @@ class ClusterContacts {
       b = formula::minus(b, carried(sweeps.movers[row.b], row.rb, formula::scaled(over, rb)));
     }
     b = formula::plus(b, T(over * formula::dot(n, v)), row.n);
-    // Where it jumps it tells nothing: bodies that touch bend no faster than c (|ω| + |v|/c)².
-    const T most = T(2) * sweeps.movers[row.a].reach * turning_square(k);
-    return formula::dot(b, b) <= scalar::sq(most) ? b : Vec3<T>(Vec3<T>::Zero());
+    return b;
   }
 };
 

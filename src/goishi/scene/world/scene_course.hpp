@@ -216,6 +216,10 @@ class SceneCourse {
       member.keeper = Keeper::rest;
       member.bounds = {};
       counted_ = false;
+      if (member.fresh) {  // what comes near has not been asked since it left a cluster
+        member.fresh = false;
+        world.turn(i);
+      }
       return;
     }
     if (status != DropStatus::moving && status != DropStatus::flies_on) {
