@@ -138,7 +138,7 @@ Measurement measure_time(Context& context) {
       const Long now = static_cast<Long>(context.produced(1.0)) * carried_by(scene).energy;
       checks["any time"].see(std::max(0.0, as_double(now - last)) / weight / (h * std::sqrt(g_earth / 0.022)), told);
       const double half = 0.0046;  // heights are produced, and gaps are differences
-      depths.push_back(std::max(0.0, half - context.produced(least_gap(scene) + half)) / clearance);
+      depths.push_back(std::max(0.0, context.produced(half - least_gap(scene)) - half) / clearance);
       checks["deepest"].see(depths.back(), told);
       last = now;
       if (i % 60 == 0) {
