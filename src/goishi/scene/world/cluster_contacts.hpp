@@ -176,7 +176,8 @@ class ClusterContacts {
     if (world.range < contact.gap) {
       world.wait(k, T(contact.gap - world.range), T(world.members[i].bounds.surface + other.bounds.surface), false);
     } else if (add(world, pair.contact, known, i, j, contact, T(contact.gap - *world.settings.clearance))) {
-      pair.exact = pair.touches = false;
+      pair.exact = true;  // as long as the steps take care of it
+      pair.touches = false;
       world.agenda.remove(DueKind::pair, k);
     } else {
       pair.exact = true;  // of so fast ones, when they touch is asked after the step has been chosen

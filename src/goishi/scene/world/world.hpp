@@ -245,8 +245,8 @@ class World {
     const bool by_hand = a.keeper == Keeper::hand && b.keeper == Keeper::hand;
     const T speed = a.bounds.surface + b.bounds.surface;
     if (is_listed(pair) || by_hand || !(T(0) < speed)) {
-      pair.exact = false;
-      pair.speed = T(0);  // to be looked at when one of them moves
+      pair.exact = true;  // until one of them moves in another way, or at all
+      pair.touches = false;
       return;
     }
     ++counters.looks;
