@@ -8,6 +8,7 @@
 
 #include "compiled/scene.hpp"
 #include "verify/samples/contact.hpp"
+#include "verify/samples/drop.hpp"
 #include "verify/suite/scalars.hpp"
 
 namespace goishi::verify {

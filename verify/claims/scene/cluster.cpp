@@ -16,8 +16,6 @@ namespace goishi::verify {
 
 namespace {
 
-constexpr double g_earth = 9.80665;
-
 // --- SCENE-9
 
 /// A stone that rolls or slides on the board.

@@ -15,8 +15,6 @@ namespace goishi::verify {
 
 namespace {
 
-constexpr double g_earth = 9.80665;
-
 // --- SCENE-12
 
 /// A heap that touches from the beginning on, on a slope, so that it slides and tumbles as one cluster.

@@ -16,8 +16,6 @@ namespace goishi::verify {
 
 namespace {
 
-constexpr double g_earth = 9.80665;
-
 Piece size_33(double bevel) {
   return Piece({{0.022, 0.0092, bevel}, make_stone(0.022, 0.0092, bevel)});
 }

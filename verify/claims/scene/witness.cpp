@@ -17,8 +17,6 @@ namespace goishi::verify {
 
 namespace {
 
-constexpr double g_earth = 9.80665;
-
 /// Stones that touch, at rest, and are let go.
 struct Leaning {
   SceneSettings<double> settings;
