@@ -221,7 +221,7 @@ class World {
   /// How far the stones of a pair are apart, the normal out of the second.
   [[nodiscard]] Separation<T> apart(PairRecord<T>& pair, const Placed<T>& one, const Placed<T>& two) {
     ++counters.separations;
-    const Separation<T> found = separation(one, two);
+    Separation<T> found = separation(one, two);
     pair.n_W = found.n_W;
     return found;
   }
