@@ -146,6 +146,17 @@ class Fuzz {
     ++counts_[name][static_cast<std::size_t>(status)];
   }
 
+  /// The arrays in `memory`, which are to live as long as what is made with them.
+  Views created(const Call& create, const Arguments& arguments, std::vector<Memory>& memory) {
+    Views views;
+    for (const Array& array : arguments.arrays) {
+      memory.emplace_back(array);
+      views.push_back(memory.back().view());
+    }
+    count(create.name, create.run(views, arguments.wholes, arguments.scalars));
+    return views;
+  }
+
   /// A drop from an odd start, and what can be done to it, in any order.
   void drop_life(const Call& create) {
     Arguments arguments = spoilt(create);
@@ -153,12 +164,7 @@ class Fuzz {
     settings[GOISHI_MAXIMUM_STEPS] = std::fmin(settings[GOISHI_MAXIMUM_STEPS], 3000.0);  // so that it is soon over
     settings[GOISHI_TOLERANCE] = below(2) == 0 ? settings[GOISHI_TOLERANCE] : 1e-4;
     std::vector<Memory> memory;
-    Views views;
-    for (const Array& array : arguments.arrays) {
-      memory.emplace_back(array);
-      views.push_back(memory.back().view());
-    }
-    count(create.name, create.run(views, arguments.wholes, arguments.scalars));
+    const Views views = created(create, arguments, memory);
     goishi_drop* drop = *views.back().new_drop();
     const View of_settings = views[3];
     for (std::size_t i = below(12); drop != nullptr && 0 < i; --i) {
@@ -236,12 +242,7 @@ class Fuzz {
     }
     settings[GOISHI_TOLERANCE] = 1e-4;
     std::vector<Memory> memory;
-    Views views;
-    for (const Array& array : arguments.arrays) {
-      memory.emplace_back(array);
-      views.push_back(memory.back().view());
-    }
-    count(create.name, create.run(views, arguments.wholes, arguments.scalars));
+    const Views views = created(create, arguments, memory);
     goishi_scene* scene = *views.back().new_scene();
     for (std::size_t i = below(12); scene != nullptr && 0 < i; --i) {
       ++scene_steps_;

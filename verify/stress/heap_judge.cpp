@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 
 #include "verify/stress/heaps.hpp"
 
@@ -206,22 +205,14 @@ class HeapJudge {
 }  // namespace
 
 HeapVerdict judge_heap(std::uint64_t seed, std::uint64_t index) {
-  try {
-    return HeapJudge(draw_heap(seed, index))();
-  } catch (const std::exception& error) {
-    HeapVerdict verdict;
-    verdict.faults.push_back(fmt::format("throws: {}", error.what()));
-    return verdict;
-  }
+  return verdict_of<HeapVerdict>([&] { return HeapJudge(draw_heap(seed, index))(); });
 }
 
 HeapTally run_heaps(const Order& order, const std::function<void(std::uint64_t)>& progress,
                     const std::function<void(std::uint64_t)>& overdue) {
-  HeapTally tally;
-  tally.seconds = work_through(
+  return tally_of<HeapTally>(
       order, [&](std::uint64_t index) { return judge_heap(order.seed, index); },
-      [&](std::uint64_t index, const HeapVerdict& verdict, double seconds) {
-        ++tally.samples;
+      [](HeapTally& tally, std::uint64_t, const HeapVerdict& verdict, double) {
         tally.stones += verdict.stones;
         tally.refused += static_cast<std::uint64_t>(verdict.refused);
         tally.rest += verdict.rests ? 1 : 0;
@@ -230,19 +221,8 @@ HeapTally run_heaps(const Order& order, const std::function<void(std::uint64_t)>
         tally.counters.unsolved += verdict.counters.unsolved;
         tally.energy_rise = std::max(tally.energy_rise, verdict.energy_rise);
         tally.depth = std::max(tally.depth, verdict.depth);
-        if (tally.slowest < seconds) {
-          tally.slowest = seconds;
-          tally.slowest_index = index;
-        }
-        if (!verdict.faults.empty()) {
-          tally.failures.push_back({index, verdict.faults.front()});
-        }
-        progress(tally.samples);
       },
-      overdue);
-  std::sort(tally.failures.begin(), tally.failures.end(),
-            [](const Failure& a, const Failure& b) { return a.index < b.index; });
-  return tally;
+      progress, overdue);
 }
 
 }  // namespace goishi::verify::stress

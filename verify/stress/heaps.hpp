@@ -54,12 +54,10 @@ struct HeapVerdict {
 [[nodiscard]] HeapVerdict judge_heap(std::uint64_t seed, std::uint64_t index);
 [[nodiscard]] std::string describe_heap(std::uint64_t seed, std::uint64_t index);
 
-struct HeapTally {
-  std::uint64_t samples = 0, stones = 0, refused = 0, rest = 0;
+struct HeapTally : Cases {
+  std::uint64_t stones = 0, refused = 0, rest = 0;
   SceneCounters counters;
-  double energy_rise = 0.0, depth = 0.0, slowest = 0.0, seconds = 0.0;
-  std::uint64_t slowest_index = 0;
-  std::vector<Failure> failures;
+  double energy_rise = 0.0, depth = 0.0;
 };
 
 /// Scenes 0 … samples − 1.

@@ -13,21 +13,11 @@
 
 namespace goishi::verify::stress {
 
-struct Failure {
-  std::uint64_t index;
-  std::string fault;
-};
-
-struct Tally {
-  std::uint64_t samples = 0;
+struct Tally : Cases {
   std::array<std::uint64_t, 8> by_status = {};  // of DropStatus
   std::uint64_t lower_order = 0;
   double energy_rise = 0.0;
-  double depth = 0.0;    // [width]
-  double slowest = 0.0;  // [s]
-  std::uint64_t slowest_index = 0;
-  double seconds = 0.0;
-  std::vector<Failure> failures;
+  double depth = 0.0;  // [width]
 };
 
 /// A drop that computes for longer, its judgement included, is reported as a failure.

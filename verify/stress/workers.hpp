@@ -7,7 +7,9 @@
 #include <chrono>
 #include <cstdint>
 #include <ctime>
+#include <exception>
 #include <mutex>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -19,6 +21,43 @@ struct Order {
   double seconds = 0.0;  // stop after so long; 0: never
   unsigned threads = 1;
 };
+
+struct Failure {
+  std::uint64_t index;
+  std::string fault;
+};
+
+/// What is counted of cases of any kind.
+struct Cases {
+  std::uint64_t samples = 0;
+  double slowest = 0.0;  // [s]
+  std::uint64_t slowest_index = 0;
+  double seconds = 0.0;  // for all
+  std::vector<Failure> failures;
+
+  void count(std::uint64_t index, const std::vector<std::string>& faults, double took) {
+    ++samples;
+    if (slowest < took) {
+      slowest = took;
+      slowest_index = index;
+    }
+    if (!faults.empty()) {
+      failures.push_back({index, faults.front()});
+    }
+  }
+};
+
+/// A verdict, by `judge`; what that throws is a fault.
+template <class Verdict, class Judge>
+[[nodiscard]] Verdict verdict_of(Judge&& judge) {
+  try {
+    return judge();
+  } catch (const std::exception& error) {
+    Verdict verdict;
+    verdict.faults.push_back(std::string("throws: ") + error.what());
+    return verdict;
+  }
+}
 
 /// A case that runs for longer than this is a failure of its own: the test names it and stops the program.
 inline constexpr double longest_case = 60.0;  // [s]
@@ -100,6 +139,24 @@ double work_through(const Order& order, Judge&& judge, Add&& add, Overdue&& over
   }
   threads.clear();
   return seconds_since(start);
+}
+
+/// The same as a tally: its cases, and what `add(tally, index, verdict, busy seconds)` counts besides. `progress` is told how many
+/// are done.
+template <class Tally, class Judge, class Add, class Progress, class Overdue>
+[[nodiscard]] Tally tally_of(const Order& order, Judge&& judge, Add&& add, Progress&& progress, Overdue&& overdue) {
+  Tally tally;
+  tally.seconds = work_through(
+      order, judge,
+      [&](std::uint64_t index, const auto& verdict, double seconds) {
+        tally.count(index, verdict.faults, seconds);
+        add(tally, index, verdict, seconds);
+        progress(tally.samples);
+      },
+      overdue);
+  std::sort(tally.failures.begin(), tally.failures.end(),
+            [](const Failure& a, const Failure& b) { return a.index < b.index; });
+  return tally;
 }
 
 }  // namespace goishi::verify::stress

@@ -51,13 +51,17 @@ void ScenePlay::apply(const SceneAction& action, SceneSink<double> sink) {
   });
 }
 
-void ScenePlay::go_to(double time, SceneSink<double> sink) {
+template <class Go>
+void ScenePlay::in_calls(double time, Go&& go) {
   constexpr int most_calls = 100;
-  int calls = 1;
-  while (!scene_.advance_to(time, sink)) {
-    require(++calls <= most_calls, "time", time, "takes too much work: in ", most_calls, " calls it came to ",
+  for (int calls = 1; !go(); ++calls) {
+    require(calls < most_calls, "time", time, "takes too much work: in ", most_calls, " calls it came to ",
             scene_.time(), " s");
   }
+}
+
+void ScenePlay::go_to(double time, SceneSink<double> sink) {
+  in_calls(time, [&] { return scene_.advance_to(time, sink); });
 }
 
 void ScenePlay::advance_to(double time, SceneSink<double> sink) {
@@ -76,13 +80,12 @@ bool ScenePlay::advance_to_end(SceneSink<double> sink) {
   if (!file_->actions.empty()) {
     advance_to(file_->actions.back().time, sink);
   }
-  constexpr int most_calls = 100;
-  for (int calls = 1; !scene_.run_until_rest(file_->end - scene_.time(), sink); ++calls) {
-    if (!(scene_.time() < file_->end) || most_calls <= calls) {
-      return false;
-    }
-  }
-  return true;
+  bool rests = false;
+  in_calls(file_->end, [&] {
+    rests = scene_.run_until_rest(file_->end - scene_.time(), sink);
+    return rests || !(scene_.time() < file_->end);
+  });
+  return rests;
 }
 
 long long ScenePlay::moving() const {

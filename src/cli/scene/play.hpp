@@ -40,6 +40,9 @@ class ScenePlay {
   [[nodiscard]] double hand_work() const;
 
  private:
+  /// Until it says that it is there: the work of one call is bounded.
+  template <class Go>
+  void in_calls(double time, Go&& go);
   void go_to(double time, SceneSink<double> sink);
   void add(const StoneEntry& entry);
   void apply(const SceneAction& action, SceneSink<double> sink);

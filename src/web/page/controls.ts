@@ -220,6 +220,10 @@ export class ChoiceControl<V extends string> implements Control {
     this.#mark();
   }
 
+  get first(): V {
+    return this.#first;
+  }
+
   get text(): string {
     return this.#value;
   }
@@ -264,6 +268,45 @@ export class Presets<V extends string> {
 
   mark(chosen: V | null): void {
     for (const [value, input] of this.#inputs) input.checked = value === chosen;
+  }
+}
+
+/** A control that has a value, as ready-made starts set it. */
+interface Settable extends Control {
+  value: unknown;
+  readonly first: unknown;
+}
+
+/** Ready-made values of several controls, as pills, and what the chosen ones show. What a start does not say is as at first. */
+export class Starts {
+  readonly #starts: Readonly<Record<string, { label: string; says: string; start: object }>>;
+  readonly #presets: Presets<string>;
+  readonly #says = el("p", "remark says", { "aria-live": "polite" });
+  /** By the names that they have in a start. */
+  controls: Readonly<Record<string, Settable>> = {};
+
+  constructor(host: HTMLElement, starts: Readonly<Record<string, { label: string; says: string; start: object }>>, choose: (name: string) => void) {
+    this.#starts = starts;
+    this.#presets = new Presets(host, { name: "start", label: "ready-made starts",
+      choices: Object.entries(starts).map(([value, { label }]) => ({ value, label })) }, choose);
+    host.append(this.#says);
+  }
+
+  /** What a start has of a control. */
+  #value(name: string, key: string): unknown {
+    return (this.#starts[name]!.start as Record<string, unknown>)[key] ?? this.controls[key]!.first;
+  }
+
+  /** Marks the one that the controls have now, if one does. */
+  mark(): void {
+    const keys = Object.keys(this.controls);
+    const chosen = Object.keys(this.#starts).find((name) => keys.every((key) => this.controls[key]!.value === this.#value(name, key))) ?? null;
+    this.#presets.mark(chosen);
+    this.#says.textContent = chosen ? this.#starts[chosen]!.says : "";
+  }
+
+  take(name: string): void {
+    for (const [key, control] of Object.entries(this.controls)) control.value = this.#value(name, key);
   }
 }
 

@@ -219,13 +219,18 @@ std::vector<Claim> scene_contact_claims() {
             within("angular momentum", 1e-3, "of h m g w/2",
                    "the contact point is told as that on the first stone, half a clearance beside"),
             within("cone", 1e-9, "of μ N", "derived: the cone is met to 1e-10", 1e-10),
-            within("friction", 5.0, "of h times the solver's tolerance of g, c ω² and v²/c",
+            within("friction", 4.0, "of h times the solver's tolerance of g, c ω² and v²/c",
                    "derived: slip is taken to b, which bodies that turn change it by in half a step, and by what the "
-                   "solver leaves; measured 2026-11-30 with 20 seeds: 0.5 to 0.9"),
+                   "solver leaves; measured 2026-11-30 with 20 seeds 0.6 to 1.5, in the full tier 1.7"),
             within("closed", 1e-5, "m",
                    "what turning changes in a step in third order is kept to twice the clearance, and what the "
                    "solver leaves to 0.1 g h²; measured 2026-11-30 with 20 seeds: 2e-6 to 4.2e-6")},
-       .mutants = {},
+       .mutants =
+           {{"scene/world/cluster_contacts.hpp",
+             "row.friction = other == nullptr ? world.settings.drop.friction : world.settings.friction;",
+             "row.friction = T(0);"},
+            {"scene/world/cluster_step.hpp", "take_with_rates(world, c);",
+             "world.members[world.clusters[c].members.front()].state.v_WB.z() += T(1e-6); take_with_rates(world, c);"}},
        .measure = measure_contacts},
   };
 }

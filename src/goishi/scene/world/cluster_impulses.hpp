@@ -121,7 +121,7 @@ class ClusterImpulses {
     }
   }
 
-  /// The same, and how fast the velocities change.
+  /// The same, and how fast the velocities change: not at all where they jump, as of a blow.
   void take_with_rates(World<T>& world, std::size_t c) {
     const std::vector<std::size_t>& stones = world.clusters[c].members;
     before_.clear();
@@ -131,12 +131,19 @@ class ClusterImpulses {
     take(world, c);
     for (std::size_t k = 0; k < stones.size(); ++k) {
       Member<T>& member = world.members[stones[k]];
+      const Mover<T>& mover = contacts_.sweeps.movers[k];
       const T time = world.now + h_ / T(2) - member.nominal;
-      if (h_ / T(4) <= time) {  // else the last step's tell more
-        const T over = T(1) / time;
-        member.v_rate = formula::scaled(over, formula::minus(member.state.v_WB, before_[k].v_WB));
-        member.L_rate = formula::scaled(over, formula::minus(member.state.L_W, before_[k].L_W));
+      if (time < h_ / T(4)) {
+        continue;  // the last step's tell more
       }
+      const Vec3<T> dv = formula::minus(member.state.v_WB, before_[k].v_WB),
+                    dL = formula::minus(member.state.L_W, before_[k].L_W),
+                    dw = formula::turning(mover.mobility, mover.u, dL);
+      const T most = scalar::sq(T(T(4) * world.g * time));
+      const bool jumps = most < formula::dot(dv, dv) || most < scalar::sq(member.reach) * formula::dot(dw, dw);
+      const T over = jumps ? T(0) : T(T(1) / time);
+      member.v_rate = formula::scaled(over, dv);
+      member.L_rate = formula::scaled(over, dL);
     }
   }
 

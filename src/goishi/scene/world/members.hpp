@@ -70,9 +70,8 @@ struct Member {
 template <class T>
 struct PairRecord {
   std::size_t first = no_index, second = no_index;  // first < second
-  bool used = false;
-  bool exact = false;    // `due` holds for their present motions only
-  bool touches = false;  // when it is due
+  bool exact = false;                               // `due` holds for their present motions only
+  bool touches = false;                             // when it is due
   bool of_centres = false;
   T speed = T(0);  // [m/s] else `due` holds for relative speeds, of the centres or of the surfaces, up to this
   T due = T(0);    // [s] when to look again
@@ -83,7 +82,7 @@ struct PairRecord {
 template <class T>
 struct Cluster {
   std::vector<std::size_t> members;
-  bool used = false, asleep = false;
+  bool asleep = false;
   T end = T(0);                 // [s] of its step
   int wait = 0, next_wait = 1;  // steps until rest is tried again
 };

@@ -327,14 +327,9 @@ class World {
 
   // --- clusters
 
-  [[nodiscard]] std::size_t new_cluster() {
-    Cluster<T> cluster;
-    cluster.used = true;
-    return clusters.add(cluster);
-  }
+  [[nodiscard]] std::size_t new_cluster() { return clusters.add({}); }
 
   void drop_cluster(std::size_t c) {
-    clusters[c].used = false;
     clusters[c].members.clear();
     agenda.remove(DueKind::step, c);
     clusters.remove(c);
@@ -396,7 +391,6 @@ class World {
       PairRecord<T> pair;
       pair.first = first;
       pair.second = second;
-      pair.used = true;
       const std::size_t k = pairs.add(pair);
       members[i].pairs.push_back(k);
       members[j].pairs.push_back(k);
@@ -410,7 +404,6 @@ class World {
       std::vector<std::size_t>& list = members[i].pairs;
       list.erase(std::find(list.begin(), list.end(), k));
     }
-    pair.used = false;
     agenda.remove(DueKind::pair, k);
     pairs.remove(k);
   }

@@ -1,6 +1,6 @@
 /** 8 The board. */
 import { Plane, Scene, Vector3, type Raycaster } from "three";
-import { button, ChoiceControl, NumberControl, panel, Presets, SwitchControl, type Control } from "../controls";
+import { button, ChoiceControl, NumberControl, panel, Starts, SwitchControl, type Control } from "../controls";
 import { C, type Vec } from "../core";
 import { el } from "../dom";
 import { movesByItself, onTheme } from "../look";
@@ -47,10 +47,7 @@ export const board: Section = {
     const shapes = ([0, 1] as const).map((k) =>
       new StonesShape(kinds.measures[k], k === 1, most, wood.half, 1e3 * floorOf(table)));
     const arrows = new ArrowsShape("normal", 4000, 0.9);
-    const starter = new Presets(wide, { name: "start", label: "ready-made starts",
-      choices: Object.entries(starts).map(([value, { label }]) => ({ value, label })) }, (name) => take(name));
-    const says = el("p", "remark says", { "aria-live": "polite" });
-    wide.append(says);
+    const starter = new Starts(wide, starts, (name) => take(name));
     const figure = stage.figure(wide, {
       label: "Go stones over a board.", still, view: { target: [0, 0, -45], azimuth: -1.35, elevation: 0.85, distance: 1200 }, grip, click,
     });
@@ -88,7 +85,7 @@ export const board: Section = {
     const [left, right] = panel(wide, "The start", "Stones and wood") as [HTMLElement, HTMLElement];
     const changed = () => {
       deeds.reset();
-      mark();
+      starter.mark();
       begin();
     };
     const number = (host: HTMLElement, key: string, label: string, unit_: string, least: number, greatest: number, step: number, value: number, whole = false) =>
@@ -112,6 +109,7 @@ export const board: Section = {
     const byMode = new SwitchControl(right, { key: "modes", label: "colours say how each goes on", value: false }, again);
     const deeds = new Deeds();
     const controls: Control[] = [...Object.values(c), arrangement, forces, byMode, deeds];
+    starter.controls = { ...c, arrangement };
 
     // --- words below
     const refused = new Refusal(wide);
@@ -129,23 +127,8 @@ export const board: Section = {
     const values = (): Start => ({ arrangement: arrangement.value, stones: c.stones.value, seed: c.seed.value, height: c.height.value,
       restitution: c.restitution.value, friction: c.friction.value });
 
-    function matching(): string | null {
-      const same = ({ start }: { start: Partial<Start> }) => arrangement.value === (start.arrangement ?? "fall") &&
-        Object.entries(c).every(([key, control]) => control.value === (start[key as keyof typeof c] ?? control.first));
-      return Object.keys(starts).find((name) => same(starts[name]!)) ?? null;
-    }
-    function mark(): void {
-      const chosen = matching();
-      starter.mark(chosen);
-      says.textContent = chosen ? starts[chosen]!.says : "";
-    }
     function take(name: string): void {
-      const { start } = starts[name]!;
-      for (const control of [...Object.values(c), arrangement]) control.reset();
-      for (const [key, value] of Object.entries(start)) {
-        if (key === "arrangement") arrangement.value = value as Arrangement;
-        else c[key as keyof typeof c].value = value as number;
-      }
+      starter.take(name);
       changed();
     }
 
@@ -371,12 +354,12 @@ export const board: Section = {
       for (const painted of [wood, arrows, ...shapes]) painted.paint();
       figure.invalidate();
     });
-    mark();
+    starter.mark();
 
     return {
       controls,
       update() {
-        mark();
+        starter.mark();
         begin();
       },
       enter() {

@@ -1,6 +1,6 @@
 /** 7 The drop. */
 import { Plane, Scene, Vector3, type Raycaster } from "three";
-import { ChoiceControl, fold, NumberControl, panel, Presets, SwitchControl, type Control } from "../controls";
+import { ChoiceControl, fold, NumberControl, panel, Starts, SwitchControl, type Control } from "../controls";
 import { C, vec, type Numbers } from "../core";
 import { el } from "../dom";
 import { evidence } from "../evidence";
@@ -56,10 +56,7 @@ export const drop: Section = {
     let stone = stoneOf(goishi, { shell: "white", bevel: 1 });
     const shape = new StoneShape(goishi, stone), shadow = new ShadowShape(0, wood.half), below = new ShadowShape(1e3 * floorOf(board)), track = new TrailShape("#0b5c53");
     const ghost = new GhostShape(goishi, stone, "published"), arrow = new ArrowShape("impulse", { through: true, thick: 0.55 });
-    const starter = new Presets(wide, { name: "start", label: "ready-made starts",
-      choices: Object.entries(starts).map(([value, { label }]) => ({ value, label })) }, (name) => take(name));
-    const says = el("p", "remark says", { "aria-live": "polite" });
-    wide.append(says);
+    const starter = new Starts(wide, starts, (name) => take(name));
     const figure = stage.figure(wide, {
       label: "A Go stone over a board.", still, view: { target: [0, 0, 4], azimuth: -1.05, elevation: 0.42, distance: 190 },
       elevations: [0.06, 1.5], grip,
@@ -94,7 +91,7 @@ export const drop: Section = {
     // --- controls
     const [left, right] = panel(wide, "The start", "Stone and wood") as [HTMLElement, HTMLElement];
     const changed = () => {
-      mark();
+      starter.mark();
       again();
     };
     const number = (host: HTMLElement, key: string, label: string, unit: string, least: number, greatest: number, step: number, value: number) =>
@@ -124,6 +121,7 @@ export const drop: Section = {
     const integral = new SwitchControl(left, { key: "jellett", label: "Jellett’s integral", value: false, token: "momentum" },
       () => { arrange(); remember(place, controls); });
     const controls: Control[] = [...Object.values(c), law, shell, compare, integral];
+    starter.controls = { ...c, law };
 
     // --- words below
     const about = el("p", "remark");
@@ -160,27 +158,12 @@ export const drop: Section = {
       rolling: c.rolling.value, pivot: c.pivot.value, horizon: c.horizon.value,
     });
 
-    /** The ready-made start that the controls have now. */
-    function matching(): string | null {
-      const same = ({ start }: { start: Partial<Start> }) => law.value === (start.law ?? "dry") &&
-        Object.entries(c).every(([key, control]) => control.value === (start[key as keyof typeof c] ?? control.first));
-      return Object.keys(starts).find((name) => same(starts[name]!)) ?? null;
-    }
-    function mark(): void {
-      const chosen = matching();
-      starter.mark(chosen);
-      says.textContent = chosen ? starts[chosen]!.says : "";
-    }
     function take(name: string): void {
-      const { start, speed, jellett: showing } = starts[name]!;
-      for (const control of controls) if (control !== compare && control !== shell) control.reset();
-      for (const [key, value] of Object.entries(start)) {
-        if (key === "law") law.value = value as "dry" | "slip";
-        else c[key as keyof typeof c].value = value as number;
-      }
+      const { speed, jellett: showing } = starts[name]!;
+      starter.take(name);
       integral.value = showing ?? false;
       transport.speed = speed ?? 5;
-      mark();
+      starter.mark();
       again();
     }
 
@@ -342,13 +325,13 @@ export const drop: Section = {
       for (const painted of [wood, shape, ghost, arrow, track]) painted.paint();
       figure.invalidate();
     });
-    mark();
+    starter.mark();
 
     return {
       controls,
       update() {
         if (!compute()) return;
-        mark();
+        starter.mark();
         present();
         if (!movesByItself()) transport.seek(run!.end);
         else if (started) transport.restart();
