@@ -53,6 +53,8 @@ export async function whole(browser, cases, ids, report) {
         await page.locator(`#${id}`).scrollIntoViewIfNeeded();
         await settle(page);
       }
+      const { hash } = new URL(page.url());
+      expect(hash === "", `a section that comes into sight writes ${hash}`);
       await page.evaluate(() => scrollTo(0, 0));
       await settle(page);
       await page.screenshot({ path: join(report, `page-${width}.png`), fullPage: true });

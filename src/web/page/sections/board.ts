@@ -87,6 +87,7 @@ export const board: Section = {
       deeds.reset();
       starter.mark();
       begin();
+      remember(place, controls);
     };
     const number = (host: HTMLElement, key: string, label: string, unit_: string, least: number, greatest: number, step: number, value: number, whole = false) =>
       new NumberControl(host, { key, label, unit: unit_, least, greatest, step, value, whole }, changed);
@@ -146,7 +147,6 @@ export const board: Section = {
     function begin(): void {
       if (!compute()) return;
       transport.set(length());
-      remember(place, controls);
       if (movesByItself() && started) transport.restart();
       else if (!movesByItself()) finish();
     }
