@@ -72,7 +72,7 @@ rate $\Omega$: by the quaternion $(C, S k)$, $C$ and $S$ for cosine and sine of 
                                      .a_W = path.a,
                                      .u_W = turned(top.q, Vector(0, 0, 1)),
                                      .k_W = top.n,
-                                     .rate = ex(top.length * top.rates.precession)};
+                                     .rate = ex(top.length * top.mobility.transverse)};
   const ex angle = flown.rate * top.t;
   document.prove(top.relations(
       {.text = "it is the symmetry axis of the shipped flight",

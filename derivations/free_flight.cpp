@@ -179,13 +179,10 @@ those of $L_z t (1/I_a - 1/I_t)/2$. The attitude at first, $q(0) = (q_0, q_1, q_
   document.prove(relations({.text = R"($L_z = L \cdot q B_z \bar q$ is the last component of $L_B = \bar q L q$)",
                             .result = top.axial_momentum,
                             .witness = L_B.z()}));
-  document.shipped("formula::top_rates", "motion/free_flight.hpp");
-  document.equation("\\text{precession}", top.rates.precession);
-  document.equation("\\text{spin}", top.rates.spin);
   const Vector l = letters("l");
   document.prove(
-      {.text = R"($I^{-1} L_B = \text{precession}\, L_B + \text{spin}\, L_z B_z$)",
-       .result = components(Vector(top.rates.precession * l)) + components(Vector(0, 0, top.rates.spin * l.z())),
+      {.text = R"(by `mobility`, $I^{-1} L_B = L_B/I_t + (1/I_a - 1/I_t)\, L_z B_z$)",
+       .result = components(Vector(top.mobility.transverse * l)) + components(Vector(0, 0, top.mobility.axial * l.z())),
        .witness = components(Vector(l.cwiseQuotient(top.body.moments)))});
 
   document.shipped("formula::turned_top", "motion/free_flight.hpp");
@@ -245,7 +242,7 @@ void more_times(Document& document, const Top& top) {
   document.section("Other times, other tops");
   const Relations& relations = top.relations;
   const auto after = [&](const ex& u) {
-    return components(formula::free_rotation<ex>(top.path, top.L, top.axial_momentum, top.rates, u));
+    return components(formula::free_rotation<ex>(top.path, top.L, top.axial_momentum, top.mobility, u));
   };
   const ex at_first = components(top.q);
   document.prove(relations({.text = "a time $t$ and then $-t$: as at first, so the formula holds for negative times",
@@ -272,7 +269,7 @@ void more_times(Document& document, const Top& top) {
                   .result = relations.at_zero_angles(components(top.path)),
                   .witness = at_first,
                   .controls = {components(top.path)}});
-  const goishi::TopRates<ex> ball = formula::top_rates<ex>({.axial = top.transverse, .transverse = top.transverse});
+  const goishi::Mobility<ex> ball = formula::mobility<ex>(1, {.axial = top.transverse, .transverse = top.transverse});
   const ex turning = components(formula::free_rotation<ex>(top.q, top.L, top.axial_momentum, ball, top.t));
   document.prove(relations({.text = "$I_a = I_t$: it turns about $L$ with $L/I_t$",
                             .result = turning,
@@ -286,7 +283,7 @@ void flight(Document& document, const Top& top) {
   const Relations& relations = top.relations;
   const Vector g = letters("g");
   const State start = {.p_WB = letters("p"), .q_WB = top.q, .v_WB = letters("v"), .L_W = top.L};
-  const State end = formula::free_flight<ex>(start, top.rates, g, top.t);
+  const State end = formula::free_flight<ex>(start, top.mobility, g, top.t);
   const State fall = formula::ballistic_flight<ex>(start, g, top.t);
   const auto prove = [&](const std::string& text, const ex& result, const ex& witness) {
     document.prove(relations.whole(text, result, witness));

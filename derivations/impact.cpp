@@ -60,7 +60,7 @@ void body(Document& document) {
   document.text(
       R"(Its tensor is $\operatorname{diag}(I_t, I_t, I_a)$ in B. With the attitude $q$, $|q| = 1$, the axis is $u = q B_z
 \bar q$, and the angular velocity comes from the angular momentum by going to B, dividing, and going back.)");
-  document.shipped("formula::mobility, turning", "impact/body.hpp");
+  document.shipped("formula::mobility, turning", "mass/rigid_body.hpp");
   const possymbol m("m");
   const possymbol axial("Ia", "I_a");
   const possymbol transverse("It", "I_t");

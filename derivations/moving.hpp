@@ -60,8 +60,8 @@ struct Top {
   ex precession_angle = t * length / transverse / 2;
   ex spin_angle = axial_momentum * t * (1 / axial - 1 / transverse) / 2;
   Relations relations = Relations().unit(q).unit(n).angle(precession_angle, C, S).angle(spin_angle, c, s);
-  goishi::TopRates<ex> rates = goishi::formula::top_rates<ex>({.axial = axial, .transverse = transverse});
-  Quaternion path = relations(goishi::formula::free_rotation<ex>(q, L, axial_momentum, rates, t));
+  goishi::Mobility<ex> mobility = goishi::formula::mobility<ex>(1, {.axial = axial, .transverse = transverse});
+  Quaternion path = relations(goishi::formula::free_rotation<ex>(q, L, axial_momentum, mobility, t));
 };
 
 /// A turn of a body with ω_B = Ω n about its angular velocity: q (C, S n), cosine and sine of half the angle.

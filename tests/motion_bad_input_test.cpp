@@ -25,9 +25,9 @@ void expect_invalid_state(const std::string& argument, const State<double>& stat
   expect_invalid(argument, [&] { require_state(state); });
   for (const Freedom freedom : {Freedom::linear, Freedom::angular, Freedom::both}) {
     expect_invalid(argument, [&] { (void)free_flight(state, stone_moments, gravity, 1.0, freedom); });
-    expect_invalid(argument, [&] { (void)free_flight(state, make_top_rates(stone_moments), gravity, 1.0, freedom); });
+    expect_invalid(argument, [&] { (void)free_flight(state, make_mobility(stone_moments), gravity, 1.0, freedom); });
   }
-  expect_invalid(argument, [&] { (void)Flight<double>(state, make_top_rates(stone_moments), gravity); });
+  expect_invalid(argument, [&] { (void)Flight<double>(state, make_mobility(stone_moments), gravity); });
   for (const SchemeInfo& one : schemes) {
     const Stepper<double> stepper(one.scheme, make_rigid_body(0.005, stone_moments));
     expect_invalid(argument, [&] { (void)stepper.advance(state, 1e-3, 0); });
@@ -96,7 +96,7 @@ TEST(BadState, VectorsWhoseSumOverflowsAreGood) {
 TEST(BadBody, Moments) {
   const auto expect = [](const std::string& argument, double axial, double transverse) {
     const Moments<double> moments{.axial = axial, .transverse = transverse};
-    expect_invalid(argument, [&] { (void)make_top_rates(moments); });
+    expect_invalid(argument, [&] { (void)make_mobility(moments); });
     expect_invalid(argument, [&] { (void)make_rigid_body(1.0, moments); });
     expect_invalid(argument, [&] { (void)free_flight(moving(), moments, gravity, 1.0); });
     expect_invalid(argument, [&] { StoneBatch<double>(1).set(0, moving(), moments); });
@@ -106,7 +106,7 @@ TEST(BadBody, Moments) {
     expect("transverse", 1.0, bad);
   }
   expect("axial", 2.001, 1.0);  // the triangle inequality
-  EXPECT_NO_THROW((void)make_top_rates(Moments<double>{.axial = 2.0, .transverse = 1.0}));
+  EXPECT_NO_THROW((void)make_mobility(Moments<double>{.axial = 2.0, .transverse = 1.0}));
 }
 
 TEST(BadBody, PrincipalMomentsAndMass) {
@@ -174,8 +174,8 @@ TEST(BadScheme, OutsideTheEnumeration) {
 }
 
 TEST(BadBody, MomentsWithoutInverse) {
-  expect_invalid("axial", [] { (void)make_top_rates(Moments<double>{.axial = 1e-310, .transverse = 1e-310}); });
-  expect_invalid("axial", [] { (void)make_top_rates(Moments<float>{.axial = 1e-40F, .transverse = 1.0F}); });
+  expect_invalid("transverse", [] { (void)make_mobility(Moments<double>{.axial = 1e-310, .transverse = 1e-310}); });
+  expect_invalid("axial", [] { (void)make_mobility(Moments<float>{.axial = 1e-40F, .transverse = 1.0F}); });
 }
 
 TEST(BadIndex, OfAStone) {

@@ -31,7 +31,7 @@ TEST(State, IsNanUntilSet) {
   }
   const RigidBody<double> body;
   EXPECT_TRUE(std::isnan(body.mass) && body.moments.array().isNaN().all());
-  EXPECT_TRUE(std::isnan(TopRates<double>().precession) && std::isnan(TopRates<double>().spin));
+  EXPECT_TRUE(std::isnan(Mobility<double>().transverse) && std::isnan(Mobility<double>().axial));
 }
 
 TEST(State, OfAStone) {
@@ -150,11 +150,11 @@ TEST(FreeFlight, KeptIsTheSameAtEveryTime) {
     State<double> turning = start;
     turning.L_W *= size;
     const double unit = size > 0.0 ? size : 1.0;
-    const auto rates = make_top_rates(Moments<double>{.axial = 0.2 * unit, .transverse = 0.3 * unit});
-    const Flight<double> flight(turning, rates, down);
+    const auto mobility = make_mobility(Moments<double>{.axial = 0.2 * unit, .transverse = 0.3 * unit});
+    const Flight<double> flight(turning, mobility, down);
     for (int i = -100; i < 100; ++i) {
       const double t = 0.37 * i;
-      const State<double> kept = flight.at(t), asked = free_flight(turning, rates, down, t);
+      const State<double> kept = flight.at(t), asked = free_flight(turning, mobility, down, t);
       EXPECT_EQ(kept.p_WB, asked.p_WB);
       EXPECT_EQ(kept.v_WB, asked.v_WB);
       EXPECT_EQ(kept.L_W, asked.L_W);
@@ -200,9 +200,9 @@ TEST(FreeFlight, WithoutMomentumDoesNotTurn) {
 TEST(FreeFlight, OfABallIsOneRotation) {
   // I_a = I_t: no spin about the symmetry axis beside the precession, not even by round-off.
   for (const double moment : {1e-7, 0.3, 7.0}) {
-    const TopRates<double> rates = make_top_rates(Moments<double>{.axial = moment, .transverse = moment});
-    EXPECT_EQ(rates.spin, 0.0);
-    EXPECT_EQ(rates.precession, 1.0 / moment);
+    const Mobility<double> mobility = make_mobility(Moments<double>{.axial = moment, .transverse = moment});
+    EXPECT_EQ(mobility.axial, 0.0);
+    EXPECT_EQ(mobility.transverse, 1.0 / moment);
   }
 }
 
@@ -237,9 +237,9 @@ TEST(FreeFlight, OfOneFreedom) {
 }
 
 TEST(FreeFlight, GivesTheSameBitsTwice) {
-  const TopRates<double> rates = make_top_rates(stone_moments);
-  const State<double> once = free_flight(moving(), rates, gravity_W<double>(), 0.7);
-  EXPECT_TRUE(same(free_flight(moving(), rates, gravity_W<double>(), 0.7), once));
+  const Mobility<double> mobility = make_mobility(stone_moments);
+  const State<double> once = free_flight(moving(), mobility, gravity_W<double>(), 0.7);
+  EXPECT_TRUE(same(free_flight(moving(), mobility, gravity_W<double>(), 0.7), once));
   EXPECT_TRUE(same(free_flight(moving(), stone_moments, gravity_W<double>(), 0.7), once));
 }
 
@@ -273,8 +273,8 @@ State<double> some_state(const Moments<double>& moments) {
 /// What two flights may differ by whose starts differ by round-off: an error ε |L| of L_z turns into a spin of
 /// ε |L| (1/I_a − 1/I_t), much for a needle   [rad].
 double difference_bound(const State<double>& start, const Moments<double>& moments, double t) {
-  const TopRates<double> rates = make_top_rates(moments);
-  const double turn = start.L_W.norm() * std::fabs(t) * (rates.precession + std::fabs(rates.spin));
+  const Mobility<double> mobility = make_mobility(moments);
+  const double turn = start.L_W.norm() * std::fabs(t) * (mobility.transverse + std::fabs(mobility.axial));
   return 8 * std::numeric_limits<double>::epsilon() * (1 + turn);
 }
 

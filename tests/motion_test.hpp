@@ -48,8 +48,8 @@ template <class T>
 [[nodiscard]] T flight_bound(const State<T>& start, const Moments<T>& moments, const T& t) {
   using std::abs;
   const T axial_momentum = (start.q_WB.conjugate() * start.L_W).z();
-  const TopRates<T> rates = make_top_rates(moments);
-  const T turn = start.L_W.norm() * abs(t) * rates.precession + abs(T(axial_momentum * t * rates.spin));
+  const Mobility<T> mobility = make_mobility(moments);
+  const T turn = start.L_W.norm() * abs(t) * mobility.transverse + abs(T(axial_momentum * t * mobility.axial));
   return T(8) * std::numeric_limits<T>::epsilon() * (T(1) + turn);
 }
 

@@ -81,7 +81,7 @@ struct Example {
   Vec3<T> inverse_moments = Vec3<T>(T(1) / T(2), T(1) / T(3), T(1) / T(4));
   goishi::RigidBody<T> body{.mass = T(2), .moments = vector(2, 3, 4)};
   goishi::State<T> state{.p_WB = vector(1, 2, 3), .q_WB = q, .v_WB = vector(4, -5, 6), .L_W = vector(7, 8, -9)};
-  goishi::TopRates<T> rates = formula::top_rates(goishi::Moments<T>{.axial = T(3), .transverse = T(2)});
+  goishi::Mobility<T> mobility = formula::mobility(goishi::Moments<T>{.axial = T(3), .transverse = T(2)});
   formula::Rotor<T> rotor{.q_WB = q, .L_B = vector(7, 8, -9)};
 };
 
@@ -120,8 +120,8 @@ Numbers rational_motion_formulas() {
   numbers.add(formula::angular_momentum_about(e.w, e.state, e.body));
   numbers.add(formula::seen_from(e.w, e.q, e.gravity, e.state));
   numbers.add(formula::ballistic_flight(e.state, e.gravity, e.dt));
-  numbers.add(e.rates.precession);
-  numbers.add(e.rates.spin);
+  numbers.add(e.mobility.transverse);
+  numbers.add(e.mobility.axial);
   numbers.add(formula::axial_momentum(e.q, e.state.L_W));
   numbers.add(formula::raw_euler_attitude(e.q, e.w, e.dt));
   const auto rk = formula::raw_runge_kutta_4_step<T>(
@@ -147,8 +147,8 @@ Numbers elementary_motion_formulas() {
   const Example<T> e;
   numbers.add(formula::rotation_exp(e.w));
   numbers.add(formula::turned_top(e.q, e.w, T(5), e.dt));
-  numbers.add(formula::free_rotation(e.q, e.state.L_W, T(5), e.rates, e.dt));
-  numbers.add(formula::free_flight(e.state, e.rates, e.gravity, e.dt));
+  numbers.add(formula::free_rotation(e.q, e.state.L_W, T(5), e.mobility, e.dt));
+  numbers.add(formula::free_flight(e.state, e.mobility, e.gravity, e.dt));
   numbers.add(formula::exponential_euler_attitude(e.q, e.w, e.dt));
   numbers.add(formula::midpoint_attitude(e.q, e.w, e.inverse_moments, e.dt));
   const auto add_split = [&](const auto& substeps) {

@@ -65,8 +65,8 @@ TYPED_TEST(Impact, OfAStateAsItIs) {
   State<T> lower = start;
   lower.p_WB.z() = T(1.5L);
   lower.v_WB = vec<T>(1, 0, 30);
-  const TopRates<T> rates = make_top_rates(moments);
-  const FlightPath<T> path = path_of(start, rates, gravity), lower_path = path_of(lower, rates, gravity);
+  const Mobility<T> mobility = make_mobility(moments);
+  const FlightPath<T> path = path_of(start, mobility, gravity), lower_path = path_of(lower, mobility, gravity);
   const auto expect_same = [](const TimeOfImpact<T>& found, const TimeOfImpact<T>& expected) {
     EXPECT_EQ(expected.status, ImpactStatus::hit);
     EXPECT_EQ(found.status, expected.status);
@@ -75,7 +75,7 @@ TYPED_TEST(Impact, OfAStateAsItIs) {
   const Plane<T> ground;
   expect_same(time_of_impact(sharp<T>(), start, moments, gravity, ground, T(3)),
               time_of_impact(sharp<T>(), path, ground, T(3)));
-  expect_same(time_of_impact(sharp<T>(), start, rates, gravity, board<T>(), T(3)),
+  expect_same(time_of_impact(sharp<T>(), start, mobility, gravity, board<T>(), T(3)),
               time_of_impact(sharp<T>(), path, board<T>(), T(3)));
   expect_same(time_of_impact(sharp<T>(), start, moments, sharp<T>(), lower, moments, gravity, T(3)),
               time_of_impact(sharp<T>(), path, sharp<T>(), lower_path, T(3)));

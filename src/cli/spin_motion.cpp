@@ -69,14 +69,14 @@ double to_double(const char* argument, const Number& value) {
 SpinMotion turn_exactly(const SpinStart& start, const std::vector<Number>& times) {
   const RigidBody<Number> body = make_rigid_body(Number(1), start.moments);
   const State<Number> state = state_of(body, start.q_WB, start.w_WB_B);
-  const TopRates<Number> rates = make_top_rates(start.moments);
+  const Mobility<Number> mobility = make_mobility(start.moments);
   const Number& end = times.back();
-  const Number turn = abs(end) * state.L_W.norm() * (rates.precession + abs(rates.spin));
+  const Number turn = abs(end) * state.L_W.norm() * (mobility.transverse + abs(mobility.axial));
   require(turn < Number(std::string(largest_turn)), "time", end,
           fmt::format("must not turn the body by more than {} rad, beyond which 50 digits are too few", largest_turn));
   SpinMotion motion;
   for (const Number& time : times) {
-    const State<Number> there = free_flight(state, rates, gravity_W(Number(0)), time, Freedom::angular);
+    const State<Number> there = free_flight(state, mobility, gravity_W(Number(0)), time, Freedom::angular);
     motion.samples.push_back(settled(sample_of(time, settled(there), body)));
   }
   return motion;

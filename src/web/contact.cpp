@@ -59,7 +59,7 @@ void put_impulse(Row row, const Impulse<double>& impulse) {
 
 [[nodiscard]] FlightPath<double> read_path(const Body& body, const char* name, const double* state,
                                            std::size_t state_size, const Vec& gravity) {
-  return path_of(read_state(name, state, state_size), make_top_rates(body.mass.moments), gravity);
+  return path_of(read_state(name, state, state_size), make_mobility(body.mass.moments), gravity);
 }
 
 }  // namespace

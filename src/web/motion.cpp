@@ -80,7 +80,7 @@ int goishi_free_flight(const double* stone, size_t stone_size, const double* sta
     const Vec g_W = read_vector("gravity", gravity, gravity_size);
     require_array("motion", motion, motion_size, GOISHI_MOTION_SIZE);
     const State<double> there =
-        free_flight(start, make_top_rates(body.mass.moments), g_W, time, chosen("freedom", freedom, Freedom::both));
+        free_flight(start, make_mobility(body.mass.moments), g_W, time, chosen("freedom", freedom, Freedom::both));
     std::vector<double> row;
     put_motion(Row(row), there, body.rigid(), g_W);
     write(row, motion);
@@ -98,7 +98,7 @@ int goishi_free_rotation(const double* moments, size_t moments_size, const doubl
     const Moments<double> body{.axial = axial, .transverse = transverse};
     const State<double> start{
         .p_WB = Vec::Zero(), .q_WB = Quat<double>(q_w, q_x, q_y, q_z), .v_WB = Vec::Zero(), .L_W = L_W};
-    const State<double> there = free_flight(start, make_top_rates(body), Vec(Vec::Zero()), time, Freedom::angular);
+    const State<double> there = free_flight(start, make_mobility(body), Vec(Vec::Zero()), time, Freedom::angular);
     std::vector<double> row;
     Row(row) << there.q_WB << formula::angular_velocity_W(there, make_rigid_body(1.0, body));
     write(row, rotation);
@@ -119,7 +119,7 @@ int goishi_flight(const double* stone, size_t stone_size, const double* state, s
     const Freedom what = chosen("freedom", freedom, Freedom::both);
     const RigidBody<double> rigid = body.rigid();
     const Stepper<double> stepper(chosen("scheme", scheme, Scheme::exact), rigid, g_W, what);
-    const TopRates<double> rates = make_top_rates(body.mass.moments);
+    const Mobility<double> mobility = make_mobility(body.mass.moments);
     require_positive("step", step);
     require(1 <= steps, "steps", steps, "must be at least 1");
     require(count - 1 <= static_cast<std::size_t>(most_steps / steps), "steps", steps, "must be so few that ", count,
@@ -134,7 +134,7 @@ int goishi_flight(const double* stone, size_t stone_size, const double* state, s
         }
       }
       const double time = static_cast<double>(i * static_cast<std::size_t>(steps)) * step;
-      const State<double> exact = free_flight(start, rates, g_W, time, what);
+      const State<double> exact = free_flight(start, mobility, g_W, time, what);
       Row row(result);
       row << time;
       put_motion(row, stepped.state, rigid, g_W);

@@ -101,8 +101,8 @@ TEST(CInterface, TimeOfImpact) {
   int hits = 0;
   for (int i = 0; i < 100; ++i) {
     const Scene scene = scenes.next(), other = scenes.next();
-    const FlightPath<double> path = path_of(scene.start, make_top_rates(scene.mass.moments), g_W);
-    const FlightPath<double> other_path = path_of(other.start, make_top_rates(other.mass.moments), g_W);
+    const FlightPath<double> path = path_of(scene.start, make_mobility(scene.mass.moments), g_W);
+    const FlightPath<double> other_path = path_of(other.start, make_mobility(other.mass.moments), g_W);
     const List plane = {0.0, 0.0, 1.0, 0.01};
     List got(GOISHI_HIT_SIZE);
     EXPECT_DONE(goishi_time_of_impact(AS_ARRAY(scene.stone), AS_ARRAY(scene.state), AS_ARRAY(gravity), AS_ARRAY(plane),

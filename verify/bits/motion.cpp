@@ -59,7 +59,7 @@ void add_batch(Hash& hash, Random& random) {
   }
 #else  // as lanes would
   for (std::size_t i = 0; i < count; ++i) {
-    add(hash, formula::free_flight(states[i], make_top_rates(moments[i]), gravity_W<T>(), t));
+    add(hash, formula::free_flight(states[i], make_mobility(moments[i]), gravity_W<T>(), t));
   }
 #endif
 }

@@ -70,8 +70,8 @@ FirstLinks<OrderedBall> enclosed_links(const Dropped& of) {
   const Stone<Enclosed> stone = stone_of<Enclosed>(of.stone.shape);
   const MassProperties<Enclosed> properties = weighed(of, stone);
   const RigidBody<Enclosed> body = body_of(properties);
-  const State<Enclosed> touching = formula::free_flight(
-      state_of(of.stone, body), formula::top_rates(properties.moments), vector_of<Enclosed>(of.gravity), *time);
+  const State<Enclosed> touching = formula::free_flight(state_of(of.stone, body), formula::mobility(properties.moments),
+                                                        vector_of<Enclosed>(of.gravity), *time);
   const Vec3<Enclosed> axis = formula::symmetry_axis(touching.q_WB), up(Enclosed(0), Enclosed(0), Enclosed(1));
   const Separation<Enclosed> contact =
       detail::separation_along(detail::Placed<Enclosed>{stone, touching.p_WB, axis}, up, Enclosed(0));

@@ -67,7 +67,7 @@ struct Flyer {
 
   Flyer(const Mover& mover, const std::array<double, 3>& gravity) : stone(stone_of<T>(mover.shape)) {
     const MassProperties<T> properties = mass_properties(stone, Mass<T>{T(1)});
-    path = path_of(state_of(mover, body_of(properties)), formula::top_rates(properties.moments), vector_of<T>(gravity));
+    path = path_of(state_of(mover, body_of(properties)), formula::mobility(properties.moments), vector_of<T>(gravity));
   }
   [[nodiscard]] detail::Placed<T> at(const T& t) const { return detail::placed_at(stone, path, t); }
 };

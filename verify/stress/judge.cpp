@@ -41,8 +41,8 @@ class Judge {
       : scene_(scene),
         drop_(drop),
         width_(outer_width(scene.stone)),
-        rates_(make_top_rates(Moments<double>{.axial = scene.body.moments.z(), .transverse = scene.body.moments.x()})) {
-  }
+        mobility_(
+            make_mobility(Moments<double>{.axial = scene.body.moments.z(), .transverse = scene.body.moments.x()})) {}
 
   Verdict operator()() {
     verdict_.status = drop_.status;
@@ -97,7 +97,7 @@ class Judge {
     for (std::size_t i = 0; i + 1 < events.size(); i += stride) {
       see_depth(events[i].after, events[i].time, to_string(events[i].kind));
       const double t = events[i + 1].time - events[i].time;
-      const State<double> flown = formula::free_flight(events[i].after, rates_, scene_.settings.gravity, t);
+      const State<double> flown = formula::free_flight(events[i].after, mobility_, scene_.settings.gravity, t);
       const bool flies = starts_flight(events[i].kind) && 0.0 < t &&
                          (flown.p_WB - events[i + 1].before.p_WB).norm() <= 1e-9 * width_ &&
                          (flown.v_WB - events[i + 1].before.v_WB).norm() <= 1e-9;
@@ -105,7 +105,7 @@ class Judge {
         continue;
       }
       for (const double share : {0.02, 0.1, 0.25, 0.5, 0.75, 0.9, 0.98}) {
-        see_depth(formula::free_flight(events[i].after, rates_, scene_.settings.gravity, share * t),
+        see_depth(formula::free_flight(events[i].after, mobility_, scene_.settings.gravity, share * t),
                   events[i].time + share * t, "in flight");
       }
     }
@@ -296,7 +296,7 @@ class Judge {
   const Scene& scene_;
   const DropResult<double>& drop_;
   double width_;
-  TopRates<double> rates_;
+  Mobility<double> mobility_;
   Verdict verdict_;
 };
 

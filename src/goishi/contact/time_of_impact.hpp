@@ -170,7 +170,7 @@ template <Ordered T>
       });
 }
 
-/// The same of a stone in the state in which it is, with its moments or rates as `free_flight` takes them; `other` is a
+/// The same of a stone in the state in which it is, with its moments or mobility as `free_flight` takes them; `other` is a
 /// plane or the board.
 /// Domain  that of `free_flight`, and as above.
 template <Ordered T, class Turning, class Other>

@@ -215,7 +215,7 @@ class Drop {
   }
 
   [[nodiscard]] State<T> state_of(const detail::Stretch<T>& stretch, const T& time) const {
-    return detail::state_in(stretch, time, run_.contact_body, run_.rates, run_.body.mass);
+    return detail::state_in(stretch, time, run_.contact_body, run_.mobility, run_.body.mass);
   }
   [[nodiscard]] State<T> state_in_present(const T& time) const { return state_of(present_, time); }
 

@@ -48,7 +48,7 @@ class StoneBatch {
 
   struct Group {
     State<Lanes> state;
-    TopRates<Lanes> rates;
+    Lanes transverse, axial;  // of `Mobility`
   };
 
   explicit StoneBatch(std::size_t count) : count_(count), groups_((count + lanes - 1) / lanes, resting_group()) {}
@@ -62,13 +62,13 @@ class StoneBatch {
   void set(std::size_t index, const State<T>& state, const Moments<T>& moments) {
     require_index(index);
     require_state(state);
-    const TopRates<T> rates = make_top_rates(moments);
+    const Mobility<T> mobility = make_mobility(moments);
     Group& group = groups_[index / lanes];
     const std::size_t lane = index % lanes;
     put(index, state);
-    group.rates.precession[lane] = rates.precession;
-    group.rates.spin[lane] = rates.spin;
-    const T rate = rates.precession + scalar::abs(rates.spin);
+    group.transverse[lane] = mobility.transverse;
+    group.axial[lane] = mobility.axial;
+    const T rate = mobility.transverse + scalar::abs(mobility.axial);
     fastest_ = std::max(
         fastest_, T(rate * (scalar::abs(state.L_W.x()) + scalar::abs(state.L_W.y()) + scalar::abs(state.L_W.z()))));
     greatest_rate_ = std::max(greatest_rate_, rate);
@@ -109,8 +109,9 @@ class StoneBatch {
     } else {
       for (std::size_t i = 0; i < count_; ++i) {
         const Group& group = groups_[i / lanes];
-        const TopRates<T> rates{.precession = group.rates.precession[i % lanes], .spin = group.rates.spin[i % lanes]};
-        put(i, free_flight(get(i), rates, gravity, t));
+        const std::size_t lane = i % lanes;
+        const Mobility<T> mobility{.linear = T(1), .transverse = group.transverse[lane], .axial = group.axial[lane]};
+        put(i, free_flight(get(i), mobility, gravity, t));
       }
     }
   }
@@ -118,11 +119,12 @@ class StoneBatch {
  private:
   [[gnu::flatten]] void fly_all(const Vec3<T>& gravity, const T& t) {
     const Vec3<Lanes> g(Lanes(gravity.x()), Lanes(gravity.y()), Lanes(gravity.z()));
-    const Lanes time(t);
+    const Lanes time(t), one(T(1));
     for (std::size_t i = 0; i < groups_.size(); ++i) {
       fetch(i + ahead);
       Group& group = groups_[i];
-      group.state = formula::free_flight(group.state, group.rates, g, time);
+      const Mobility<Lanes> mobility{.linear = one, .transverse = group.transverse, .axial = group.axial};
+      group.state = formula::free_flight(group.state, mobility, g, time);
     }
   }
 
@@ -147,7 +149,8 @@ class StoneBatch {
     const Lanes zero(T(0)), one(T(1));
     const Vec3<Lanes> nothing(zero, zero, zero);
     return {.state = {.p_WB = nothing, .q_WB = {one, zero, zero, zero}, .v_WB = nothing, .L_W = nothing},
-            .rates = {.precession = one, .spin = zero}};
+            .transverse = one,
+            .axial = zero};
   }
 
   void require_index(std::size_t index) const {
@@ -170,7 +173,7 @@ class StoneBatch {
   std::vector<Group> groups_;
   // No stone that was ever set had more.
   T fastest_ = T(0);        // [rad/s] of turning, precession and spin added up
-  T greatest_rate_ = T(1);  // of its rates [1/(kg m²)]
+  T greatest_rate_ = T(1);  // of its inverse moments [1/(kg m²)]
   T reach_ = T(0);          // [m] of a coordinate
   T speed_ = T(0);          // [m/s]
 };

@@ -204,9 +204,11 @@ template <Ordered T>
   }
   const Quat<T> q_BF(R_BF);
   const Quat<T> q_WF = formula::product(state.q_WB, q_BF);
-  const TopRates<T> rates = formula::top_rates<T>({.axial = moments[axis], .transverse = moments[(axis + 1) % 3]});
-  return formula::product(formula::free_rotation(q_WF, state.L_W, axial_momentum(q_WF, state.L_W, rates), rates, t),
-                          q_BF.conjugate());
+  const Mobility<T> mobility =
+      formula::mobility(Moments<T>{.axial = moments[axis], .transverse = moments[(axis + 1) % 3]});
+  return formula::product(
+      formula::free_rotation(q_WF, state.L_W, axial_momentum(q_WF, state.L_W, mobility), mobility, t),
+      q_BF.conjugate());
 }
 
 template <Ordered T>

@@ -58,16 +58,16 @@ template <Field T>
 }  // namespace formula
 
 /// How a body with a symmetry axis flies from a state: what `time_of_impact` asks for.
-/// Domain  a state and rates as `free_flight` takes them.
+/// Domain  a state and a mobility as `free_flight` takes them.
 template <Ordered T>
-[[nodiscard]] FlightPath<T> path_of(const State<T>& state, const TopRates<T>& rates, const Vec3<T>& gravity) {
+[[nodiscard]] FlightPath<T> path_of(const State<T>& state, const Mobility<T>& mobility, const Vec3<T>& gravity) {
   FlightPath<T> path{.p_W = state.p_WB, .v_W = state.v_WB, .a_W = gravity, .u_W = symmetry_axis(state.q_WB)};
   const T square = formula::dot(state.L_W, state.L_W);
   // So small that its square has lost digits, it turns nothing.
   if (std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon() < square) {
     const T momentum = scalar::sqrt(square);
     path.k_W = {T(state.L_W.x() / momentum), T(state.L_W.y() / momentum), T(state.L_W.z() / momentum)};
-    path.rate = momentum * rates.precession;
+    path.rate = momentum * mobility.transverse;
   }
   return path;
 }
@@ -75,7 +75,7 @@ template <Ordered T>
 /// The same, from the moments.
 template <Ordered T>
 [[nodiscard]] FlightPath<T> path_of(const State<T>& state, const Moments<T>& moments, const Vec3<T>& gravity) {
-  return path_of(state, make_top_rates(moments), gravity);
+  return path_of(state, make_mobility(moments), gravity);
 }
 
 }  // namespace goishi

@@ -2,6 +2,7 @@
 /// \file
 /// Free flight of a body with a symmetry axis, exactly: no time step.
 
+#include <goishi/mass/rigid_body.hpp>
 #include <goishi/motion/invariants.hpp>
 #include <goishi/motion/state.hpp>
 #include <goishi/rotation.hpp>
@@ -10,25 +11,7 @@
 
 namespace goishi {
 
-/// What free rotation asks of a body with a symmetry axis. Made by `make_top_rates`, once per body.
-template <class T>
-struct TopRates {
-  T precession = scalar::unset<T>();  // 1/I_t [1/(kg m²)]
-  T spin = scalar::unset<T>();        // 1/I_a − 1/I_t [1/(kg m²)]
-};
-
 namespace formula {
-
-/// Rates of a torque-free top per unit of momentum, once per body: |L| · `precession` about L, L_z · `spin` about Bz.
-///
-///     precession = 1/I_t,   spin = 1/I_a − 1/I_t = (I_t − I_a) / (I_t I_a)
-///
-/// Proof  derivations/free_flight.cpp.
-template <Field T>
-[[nodiscard]] TopRates<T> top_rates(const Moments<T>& moments) {
-  const T precession = T(1) / moments.transverse;
-  return {.precession = precession, .spin = T((moments.transverse - moments.axial) / moments.axial * precession)};
-}
 
 /// A turn about the unit vector k in the world by the angle 2α, and one about the symmetry axis in the body by 2β.
 ///
@@ -56,13 +39,13 @@ template <Elementary T>
 /// Limits  L = 0, I_a = I_t, t <= 0: no special cases.   Proof  derivations/free_flight.cpp.
 template <Elementary T>
 [[nodiscard]] inline Quat<T> free_rotation(const Quat<T>& q_WB, const Vec3<T>& L_W, const T& axial_momentum,
-                                           const TopRates<T>& rates, const T& t) {
-  const T time = t * rates.precession;
+                                           const Mobility<T>& mobility, const T& t) {
+  const T time = t * mobility.transverse;
   const T x = time * L_W.x(), y = time * L_W.y(), z = time * L_W.z();
   const T angle = scalar::sqrt(T((x * x + y * y) + (z * z + scalar::tiny<T>())));
   const T over = T(1) / angle;
   return formula::turned_top(q_WB, Vec3<T>(T(over * x), T(over * y), T(over * z)), T(angle / T(2)),
-                             T(axial_momentum * (t * rates.spin) / T(2)));
+                             T(axial_momentum * (t * mobility.axial) / T(2)));
 }
 
 /// The momentum about the symmetry axis, L · q Bz   [kg m²/s].   Proof  derivations/free_flight.cpp.
@@ -93,10 +76,11 @@ template <Field T>
 
 /// Both: the whole state after a time t.   Proof  derivations/free_flight.cpp.
 template <Elementary T>
-[[nodiscard]] inline State<T> free_flight(const State<T>& state, const TopRates<T>& rates, const Vec3<T>& gravity,
+[[nodiscard]] inline State<T> free_flight(const State<T>& state, const Mobility<T>& mobility, const Vec3<T>& gravity,
                                           const T& t) {
   const T axial_momentum = formula::axial_momentum(state.q_WB, state.L_W);
-  return formula::falling(state, formula::free_rotation(state.q_WB, state.L_W, axial_momentum, rates, t), gravity, t);
+  return formula::falling(state, formula::free_rotation(state.q_WB, state.L_W, axial_momentum, mobility, t), gravity,
+                          t);
 }
 
 }  // namespace formula
@@ -106,8 +90,8 @@ namespace detail {
 /// L_z for the spin. A needle (I_a below I_t/4) turns ε |L| of round-off in it into a large error of L_z/I_a, so there
 /// it is taken in the next wider type.
 template <Ordered T>
-[[nodiscard]] T axial_momentum(const Quat<T>& q_WB, const Vec3<T>& L_W, const TopRates<T>& rates) {
-  if (T(3) * rates.precession < rates.spin) {
+[[nodiscard]] T axial_momentum(const Quat<T>& q_WB, const Vec3<T>& L_W, const Mobility<T>& mobility) {
+  if (T(3) * mobility.transverse < mobility.axial) {
     using Wide = scalar::wider_t<T>;
     return T(formula::axial_momentum(Quat<Wide>(q_WB.template cast<Wide>()), Vec3<Wide>(L_W.template cast<Wide>())));
   }
@@ -147,21 +131,10 @@ template <Ordered T>
 /// What of the motion a scene needs. The talk's dynamics demo shows the three of them.
 enum class Freedom { linear, angular, both };
 
-/// The rates of a body with a symmetry axis, to be kept where many of its flights are asked for.
-/// Domain  0 < I_a <= 2 I_t, finite, and so the rates; else InvalidArgument.
-template <Ordered T>
-[[nodiscard]] TopRates<T> make_top_rates(const Moments<T>& moments) {
-  require_physical(moments);
-  TopRates<T> rates = formula::top_rates(moments);
-  require(scalar::is_finite(T(rates.precession + rates.spin)), "axial", moments.axial,
-          "must not be so small that its inverse is no number");
-  return rates;
-}
-
 /// The state of a stone after it has flown freely for a time t, in closed form. Gravity is the vector in W
 /// (`gravity_W()`).
 ///
-/// Domain  a finite state whose attitude is a unit quaternion; rates of `make_top_rates`; finite gravity; any finite t,
+/// Domain  a finite state whose attitude is a unit quaternion; a mobility of `make_mobility`; finite gravity; any finite t,
 ///         negative ones too, with which position, velocity, t/I and the squares of the angles do not overflow (DOMAIN-5); else
 ///         InvalidArgument.
 /// Error   attitude <= 8 ε (1 + |L| t / I_t + |ω_z t (1 − I_a/I_t)|) rad for I_a >= I_t/1000, thinner needles lose in
@@ -169,11 +142,11 @@ template <Ordered T>
 /// Cost    two pairs of sine and cosine, one root.
 /// Proof   derivations/free_flight.cpp.
 template <Ordered T>
-[[nodiscard]] State<T> free_flight(const State<T>& state, const TopRates<T>& rates, const Vec3<T>& gravity, const T& t,
-                                   Freedom freedom = Freedom::both) {
+[[nodiscard]] State<T> free_flight(const State<T>& state, const Mobility<T>& mobility, const Vec3<T>& gravity,
+                                   const T& t, Freedom freedom = Freedom::both) {
   const bool unit = detail::is_unit(state.q_WB);
-  const T axial_momentum = detail::axial_momentum(state.q_WB, state.L_W, rates);
-  const Quat<T> q = formula::free_rotation(state.q_WB, state.L_W, axial_momentum, rates, t);
+  const T axial_momentum = detail::axial_momentum(state.q_WB, state.L_W, mobility);
+  const Quat<T> q = formula::free_rotation(state.q_WB, state.L_W, axial_momentum, mobility, t);
   State<T> result = formula::falling(state, q, gravity, t);
   if (freedom == Freedom::linear) {
     result.q_WB = state.q_WB;
@@ -191,18 +164,19 @@ template <Ordered T>
 template <Ordered T>
 [[nodiscard]] State<T> free_flight(const State<T>& state, const Moments<T>& moments, const Vec3<T>& gravity, const T& t,
                                    Freedom freedom = Freedom::both) {
-  return free_flight(state, make_top_rates(moments), gravity, t, freedom);
+  return free_flight(state, make_mobility(moments), gravity, t, freedom);
 }
 
 /// A free flight that is asked for at many times: what of it is constant is made once. No root and no division is left.
 ///
-///     const Flight<double> flight(state, rates, gravity_W<double>());
+///     const Flight<double> flight(state, mobility, gravity_W<double>());
 ///     const State<double> then = flight.at(0.25);
 template <Ordered T>
 class Flight {
  public:
   /// Domain  as `free_flight`.
-  Flight(const State<T>& start, const TopRates<T>& rates, const Vec3<T>& gravity) : start_(start), gravity_(gravity) {
+  Flight(const State<T>& start, const Mobility<T>& mobility, const Vec3<T>& gravity)
+      : start_(start), gravity_(gravity) {
     detail::check_flight(start, gravity, T(0), start);
     // By its greatest component, so that no square is lost.
     const Vec3<T>& L = start.L_W;
@@ -211,8 +185,8 @@ class Flight {
       const Vec3<T> direction(T(L.x() / most), T(L.y() / most), T(L.z() / most));
       const T length = scalar::sqrt(formula::dot(direction, direction));
       k_W_ = {T(direction.x() / length), T(direction.y() / length), T(direction.z() / length)};
-      alpha_ = most * length * rates.precession / T(2);
-      beta_ = detail::axial_momentum(start.q_WB, L, rates) * rates.spin / T(2);
+      alpha_ = most * length * mobility.transverse / T(2);
+      beta_ = detail::axial_momentum(start.q_WB, L, mobility) * mobility.axial / T(2);
     }
     require(scalar::is_finite(alpha_) && scalar::is_finite(beta_), "angular momentum", most,
             "must not turn the body faster than its arithmetic can count");

@@ -1,10 +1,9 @@
 #pragma once
 /// \file
-/// What moves: the state of a rigid body, with angular momentum as the primary rotational quantity, and the body.
+/// What moves: the state of a rigid body, with angular momentum as the primary rotational quantity.
 
 #include <goishi/error.hpp>
-#include <goishi/mass/inertia.hpp>
-#include <goishi/mass/tensor.hpp>
+#include <goishi/mass/rigid_body.hpp>
 #include <goishi/rotation.hpp>
 #include <goishi/scalar.hpp>
 
@@ -19,37 +18,6 @@ struct State {
   Vec3<T> v_WB = Vec3<T>::Constant(scalar::unset<T>());  // [m/s] velocity of the centre of mass
   Vec3<T> L_W = Vec3<T>::Constant(scalar::unset<T>());   // [kg m²/s] angular momentum about the centre of mass
 };
-
-/// Mass and principal moments, about Bx, By, Bz. A stone's are (I_t, I_t, I_a).
-template <class T>
-struct RigidBody {
-  T mass = scalar::unset<T>();                              // [kg]
-  Vec3<T> moments = Vec3<T>::Constant(scalar::unset<T>());  // [kg m²]
-};
-
-/// Domain  mass > 0; moments > 0, none above the sum of the other two; all finite; else InvalidArgument.
-template <Ordered T>
-[[nodiscard]] RigidBody<T> make_rigid_body(const std::type_identity_t<T>& mass, const Vec3<T>& moments) {
-  require_positive("mass", mass);
-  const char* broken = broken_inertia_rule(moments);
-  if (broken != nullptr) {
-    throw_invalid("moments", moments.transpose(), broken);
-  }
-  return {.mass = mass, .moments = moments};
-}
-
-/// Domain  mass > 0, 0 < I_a <= 2 I_t; all finite; else InvalidArgument.
-template <Ordered T>
-[[nodiscard]] RigidBody<T> make_rigid_body(const std::type_identity_t<T>& mass, const Moments<T>& moments) {
-  require_positive("mass", mass);
-  require_physical(moments);
-  return {.mass = mass, .moments = {moments.transverse, moments.transverse, moments.axial}};
-}
-
-template <Ordered T>
-[[nodiscard]] RigidBody<T> make_rigid_body(const MassProperties<T>& stone) {
-  return make_rigid_body(stone.mass, stone.moments);
-}
 
 /// Throws InvalidArgument unless everything is finite and the attitude a unit quaternion.
 template <Ordered T>

@@ -251,9 +251,9 @@ class Stepper {
       L_B = {next.lx, next.ly, next.lz};
       return StepStatus::completed;
     } else if constexpr (scheme == Scheme::exact) {
-      const TopRates<T> rates = formula::top_rates<T>({.axial = body_.moments.z(), .transverse = body_.moments.x()});
-      const T axial_momentum = detail::axial_momentum(q, state.L_W, rates);
-      return settle(state, formula::free_rotation(q, state.L_W, axial_momentum, rates, dt));
+      const Mobility<T> mobility = formula::mobility(body_);
+      const T axial_momentum = detail::axial_momentum(q, state.L_W, mobility);
+      return settle(state, formula::free_rotation(q, state.L_W, axial_momentum, mobility, dt));
     } else {
       formula::Rotor<T> rotor{.q_WB = q, .L_B = formula::in_body(q, state.L_W)};
       formula::splitting_step(rotor, inverse_moments_, dt, composition<scheme>());

@@ -50,8 +50,7 @@ class Scene {
     const T k2 = moments.transverse / body.mass;
     detail::Member<T> member{.stone = stone,
                              .body = body,
-                             .mobility = formula::mobility(body.mass, moments),
-                             .rates = formula::top_rates(moments),
+                             .mobility = formula::mobility(body),
                              .reach = reach,
                              .lever = scalar::sqrt(T(T(1) + scalar::sq(reach) / k2)),
                              .rolling = drop.contact_body().resists ? drop.contact_body().rolling_resistance : T(0),

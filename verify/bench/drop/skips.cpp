@@ -21,10 +21,10 @@ std::size_t few(const Scene& scene) {
 
 std::shared_ptr<const std::vector<FlightPath<double>>> paths_of(const Scene& scene, double moved) {
   auto paths = std::make_shared<std::vector<FlightPath<double>>>();
-  const TopRates<double> rates = make_top_rates(scene.mass.moments);
+  const Mobility<double> mobility = make_mobility(scene.mass.moments);
   for (State<double> start : scene.starts) {
     start.p_WB.x() += moved;
-    paths->push_back(path_of(start, rates, gravity_W<double>()));
+    paths->push_back(path_of(start, mobility, gravity_W<double>()));
   }
   return paths;
 }
@@ -39,9 +39,9 @@ Race make_race(std::string note, std::size_t cases, std::vector<Quantity> quanti
 }
 
 /// Looks at the exact flight every so often until it overlaps.
-double polled(const Scene& scene, const TopRates<double>& rates, std::size_t i, double every) {
+double polled(const Scene& scene, const Mobility<double>& mobility, std::size_t i, double every) {
   for (double k = 0.0; k * every < 1.0; ++k) {
-    const State<double> now = formula::free_flight(scene.starts[i], rates, gravity_W<double>(), k * every);
+    const State<double> now = formula::free_flight(scene.starts[i], mobility, gravity_W<double>(), k * every);
     if (surface_gap(scene.stone, Pose<double>{now.p_WB, now.q_WB}) <= 0.0) {
       return k * every;
     }
@@ -53,7 +53,7 @@ double polled(const Scene& scene, const TopRates<double>& rates, std::size_t i, 
 Race first_touch(const Effort& effort) {
   const auto scene = make_scene(effort);
   const auto paths = paths_of(*scene, 0.0);
-  const TopRates<double> rates = make_top_rates(scene->mass.moments);
+  const Mobility<double> mobility = make_mobility(scene->mass.moments);
   const std::size_t count = few(*scene);
   const auto root = [=](std::size_t i) { return time_of_impact(scene->stone, (*paths)[i], Plane<double>{}, 1.0); };
   std::vector<double> times, steps;
@@ -67,7 +67,7 @@ Race first_touch(const Effort& effort) {
   for (const auto& [every, name] : {std::pair(1.0 / 60.0, "1/60 s"), {1.0 / 240.0, "1/240 s"}, {1e-5, "10 µs"}}) {
     curves.push_back(make_curve(
         count, fmt::format("polled-{:.0f}", 1 / every), fmt::format("exact flight asked for contact every {}", name),
-        [=, every = every](std::size_t i) { return polled(*scene, rates, i, every); },
+        [=, every = every](std::size_t i) { return polled(*scene, mobility, i, every); },
         [=, every = every](const std::vector<double>& found) {
           std::vector<double> late, looks;
           for (std::size_t i = 0; i < count; ++i) {

@@ -54,20 +54,20 @@ class OneByOne {
   explicit OneByOne(const Thrown& thrown) {
     for (const goishi_native_stone& one : thrown) {
       states_.push_back(cast<T>(state_of(one)));
-      rates_.push_back(make_top_rates(cast<T>(moments_of(one))));
+      mobilities_.push_back(make_mobility(cast<T>(moments_of(one))));
     }
   }
   void fly(double time) {
     const Vec3<T> gravity = gravity_W<T>();
     for (std::size_t i = 0; i < states_.size(); ++i) {
-      states_[i] = free_flight(states_[i], rates_[i], gravity, static_cast<T>(time));
+      states_[i] = free_flight(states_[i], mobilities_[i], gravity, static_cast<T>(time));
     }
   }
   [[nodiscard]] State<double> get(std::size_t i) const { return cast<double>(states_[i]); }
 
  private:
   std::vector<State<T>> states_;
-  std::vector<TopRates<T>> rates_;
+  std::vector<Mobility<T>> mobilities_;
 };
 
 /// Asked at other times of the same flights.
@@ -75,7 +75,7 @@ class Kept {
  public:
   explicit Kept(const Thrown& thrown) : states_(thrown.size()) {
     for (const goishi_native_stone& one : thrown) {
-      flights_.emplace_back(state_of(one), make_top_rates(moments_of(one)), gravity_W<double>());
+      flights_.emplace_back(state_of(one), make_mobility(moments_of(one)), gravity_W<double>());
     }
   }
   void fly(double time) {

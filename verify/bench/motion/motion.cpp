@@ -62,11 +62,11 @@ RigidBody<double> brick() {
 
 std::array<Quad, 4> exact_attitude(const Motion& motion) {
   using T = Digits50;
-  const TopRates<T> rates =
-      formula::top_rates<T>({.axial = T(motion.body.moments.z()), .transverse = T(motion.body.moments.x())});
+  const Mobility<T> mobility =
+      formula::mobility(Moments<T>{.axial = T(motion.body.moments.z()), .transverse = T(motion.body.moments.x())});
   const Quat<T> q(T(1), T(0), T(0), T(0));
   const Vec3<T> L = motion.start.L_W.cast<T>();
-  const Quat<T> end = formula::free_rotation(q, L, formula::axial_momentum(q, L), rates, T(motion.duration));
+  const Quat<T> end = formula::free_rotation(q, L, formula::axial_momentum(q, L), mobility, T(motion.duration));
   return {Quad(end.w()), Quad(end.x()), Quad(end.y()), Quad(end.z())};
 }
 

@@ -129,9 +129,9 @@ Race spin(const Effort& effort) {
   const Vec3<double> axis_B(std::sqrt(3.0) / 2, 0, 0.5);
   setup.starts = {start_at(setup, 1, Quat<double>::Identity(), spin_rate * axis_B)};
   experiment.cases = {setup};
-  const TopRates<double> rates =
-      make_top_rates(Moments<double>{.axial = setup.body.moments.z(), .transverse = setup.body.moments.x()});
-  const State<double> right = free_flight(setup.starts.front(), rates, setup.gravity, duration);
+  const Mobility<double> mobility =
+      make_mobility(Moments<double>{.axial = setup.body.moments.z(), .transverse = setup.body.moments.x()});
+  const State<double> right = free_flight(setup.starts.front(), mobility, setup.gravity, duration);
   experiment.worth = [=](std::size_t, const Seen& seen) -> std::vector<double> {
     const State<double>&first = setup.starts.front(), &last = seen.states.back();
     return {last.q_WB.angularDistance(right.q_WB), std::fabs(energy_of(setup, last) / energy_of(setup, first) - 1),
@@ -282,12 +282,12 @@ std::optional<Slide> slide(double tilt, double speed) {
   after.v_WB += impulse / m * Vec3<double>(-mu, 0, 1);
   after.L_W = {0, I * turn, 0};
   const bool slides = after.v_WB.x() + turn * z > 0.1 * speed;
-  const TopRates<double> rates = make_top_rates(Moments<double>{.axial = setup.body.moments.z(), .transverse = I});
+  const Mobility<double> mobility = make_mobility(Moments<double>{.axial = setup.body.moments.z(), .transverse = I});
   constexpr int looks = 64;
   bool leaves = true;
   State<double> end = after;
   for (int k = 1; k <= looks; ++k) {
-    end = free_flight(after, rates, setup.gravity, (impact_end - fall) * k / looks);
+    end = free_flight(after, mobility, setup.gravity, (impact_end - fall) * k / looks);
     leaves = leaves && surface_gap(setup.stone, Pose<double>{end.p_WB, end.q_WB}, Plane<double>{}) > 0;
   }
   return slides && leaves ? std::optional(Slide{setup, end}) : std::nullopt;

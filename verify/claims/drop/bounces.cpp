@@ -237,12 +237,12 @@ std::vector<Claim> drop_bounces_claims() {
                   within("spin", 0.0, "relative", "nor turns about its normal"), none("faults", "faults")},
        .mutants = {{"impact/impulses.hpp", "-((T(1) + restitution) * approach)",
                     "-((T(1) + T(1000001) / T(1000000) * restitution) * approach)"},
-                   {"motion/flight_path.hpp", "momentum * rates.precession;",
-                    "T(1000001) / T(1000000) * momentum * rates.precession;"},
+                   {"motion/flight_path.hpp", "momentum * mobility.transverse;",
+                    "T(1000001) / T(1000000) * momentum * mobility.transverse;"},
                    {"drop/phases/flight_phase.hpp", "(more - contact.gap)", "(T(1000) * more - contact.gap)"},
                    {"drop/phases/flight_phase.hpp",
-                    "formula::free_flight(run.state, run.rates, run.settings.gravity, t)",
-                    "formula::free_flight(run.state, run.rates, Vec3<T>(T(1000001) / T(1000000) * "
+                    "formula::free_flight(run.state, run.mobility, run.settings.gravity, t)",
+                    "formula::free_flight(run.state, run.mobility, Vec3<T>(T(1000001) / T(1000000) * "
                     "run.settings.gravity), t)"}},
        .measure = measure_elastic},
       {.id = "DROP-15",

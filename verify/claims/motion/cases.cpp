@@ -237,16 +237,17 @@ Claim case_claim(const char* id, const char* statement, const char* function, co
 
 std::vector<Claim> case_claims() {
   return {
-      case_claim(
-          "CASE-1", "A symmetric top, 10 s: the velocity and the attitude that Drake prints for Kane's solution.",
-          "free_flight, elliptic_flight, Stepper", "Drake's numbers (Kane, Likins, Levinson)", 0.01,
-          {{"motion/free_flight.hpp", "(moments.transverse - moments.axial) / moments.axial",
-            "(moments.axial - moments.transverse) / moments.axial"},
-           {"motion/free_flight.hpp", "axial_momentum * (t * rates.spin) / T(2)", "axial_momentum * (t * rates.spin)"},
-           {"motion/state.hpp", "formula::in_body(state.q_WB, state.L_W).cwiseQuotient(body.moments)",
-            "formula::in_body(state.q_WB, state.L_W).cwiseProduct(body.moments)"},
-           {"motion/free_flight.hpp", "qz = c * z + s * w", "qz = c * z - s * w"}},
-          measure_symmetric_top),
+      case_claim("CASE-1",
+                 "A symmetric top, 10 s: the velocity and the attitude that Drake prints for Kane's solution.",
+                 "free_flight, elliptic_flight, Stepper", "Drake's numbers (Kane, Likins, Levinson)", 0.01,
+                 {{"motion/free_flight.hpp", "(moments.transverse - moments.axial) / moments.axial",
+                   "(moments.axial - moments.transverse) / moments.axial"},
+                  {"motion/free_flight.hpp", "axial_momentum * (t * mobility.axial) / T(2)",
+                   "axial_momentum * (t * mobility.axial)"},
+                  {"motion/state.hpp", "formula::in_body(state.q_WB, state.L_W).cwiseQuotient(body.moments)",
+                   "formula::in_body(state.q_WB, state.L_W).cwiseProduct(body.moments)"},
+                  {"motion/free_flight.hpp", "qz = c * z + s * w", "qz = c * z - s * w"}},
+                 measure_symmetric_top),
       case_claim("CASE-2", "A body without a symmetry axis, 1 s and 5 s: the numbers of van Zon and Schofield.",
                  "elliptic_flight, Stepper", "van Zon and Schofield's numbers", 0.3,
                  {{"motion/step_formulas.hpp", "q[j] = c * q_j + s * q_k", "q[j] = c * q_j - s * q_k"},

@@ -201,7 +201,7 @@ std::vector<Claim> domain_motion_claims() {
                   none("refusals", "what is taken or refused and should not be")},
        .mutants = {{"motion/free_flight.hpp", "(T(3) - square) / T(2)", "T(1) + T(0) * square"},
                    {"motion/free_flight.hpp", "scalar::is_finite(T((q.w() + q.x()) + (q.y() + q.z())))", "true"},
-                   {"motion/free_flight.hpp", "scalar::is_finite(T(rates.precession + rates.spin))", "true"}},
+                   {"mass/rigid_body.hpp", "scalar::tiny<T>() <= inverse && scalar::is_finite(inverse)", "true"}},
        .measure = measure_flights},
       {.id = "DOMAIN-6",
        .statement = "The flight of a body without a symmetry axis has the same digits in every unit: moments times "
@@ -224,7 +224,7 @@ std::vector<Claim> domain_motion_claims() {
                   within("as alone", 0.0, "stones that differ",
                          "beyond 1e10 rad the batch leaves them to free_flight")},
        .mutants = {{"motion/batch.hpp", "angle < T(65536) * T(65536)", "true"},
-                   {"motion/batch.hpp", "put(i, free_flight(get(i), rates, gravity, t));", "put(i, get(i));"}},
+                   {"motion/batch.hpp", "put(i, free_flight(get(i), mobility, gravity, t));", "put(i, get(i));"}},
        .measure = measure_both(see_batches<double>, see_batches<float>, 200, 2000)},
   };
 }

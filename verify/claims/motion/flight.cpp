@@ -87,11 +87,11 @@ Measurement measure_formula(Context& context) {
 template <class T>
 void see_chain(Worst& worst, Context& context, int kind, int count) {
   const Moments<T> moments = draw_moments<T>(context.random(), kind);
-  const TopRates<T> rates = make_top_rates(moments);
+  const Mobility<T> mobility = make_mobility(moments);
   const Vec3<T> w_B = T(50) * draw_direction<T>(context.random(), 0);
   State<T> state = spinning<T>(draw_attitude(context.random()).template cast<T>().normalized(), moments, w_B);
   for (int i = 0; i < count; ++i) {
-    state = free_flight(state, rates, Vec3<T>(Vec3<T>::Zero()), static_cast<T>(context.uniform(-0.1, 1.0)),
+    state = free_flight(state, mobility, Vec3<T>(Vec3<T>::Zero()), static_cast<T>(context.uniform(-0.1, 1.0)),
                         Freedom::angular);
     const double defect =
         static_cast<double>(context.produced(state.q_WB.template cast<long double>().squaredNorm()) - 1.0L);
@@ -203,9 +203,10 @@ std::vector<Claim> flight_claims() {
                    "where 4 I_a = I_t: 6.4 measured there, 2026-11-21, 500 000 bodies",
                    0.5),
             within("catalogue", 5.5, "ε (1 + phase)", "2.5 ε of each angle, 3 ε for the products", 0.5)},
-       .mutants = {{"motion/free_flight.hpp", "T(3) * rates.precession <", "T(3000) * rates.precession <"},
+       .mutants = {{"motion/free_flight.hpp", "T(3) * mobility.transverse <", "T(3000) * mobility.transverse <"},
                    {"motion/free_flight.hpp", "qw = c * w - s * z", "qw = c * w + s * z"},
-                   {"motion/free_flight.hpp", "T time = t * rates", "T time = t * (T(1000001) / T(1000000)) * rates"},
+                   {"motion/free_flight.hpp", "T time = t * mobility",
+                    "T time = t * (T(1000001) / T(1000000)) * mobility"},
                    {"rotation.hpp", "scalar::sq(q.x()) + scalar::sq(q.y()))", "scalar::sq(q.x()))"}},
        .measure = measure_attitude},
       {.id = "FLIGHT-2",
@@ -222,15 +223,15 @@ std::vector<Claim> flight_claims() {
       {.id = "FLIGHT-3",
        .statement = "The closed form is the solution of the Newton–Euler equations: of stones, near-balls, thin bodies "
                     "and needles, at any speed.",
-       .function = "formula::free_rotation, formula::top_rates, formula::axial_momentum",
+       .function = "formula::free_rotation, formula::mobility, formula::axial_momentum",
        .family = OracleFamily::integration,
        .oracle = "Odeint on the raw equations in 34 digits, Bulirsch–Stoer confirmed by Fehlberg 7(8); the formula in "
                  "34 digits, too",
        .checks = {within(
            "", 1e-25, "rad",
            "the integrators are asked for 1e-25 a step; measured 2026-11-30 with 40 seeds: up to 1.2e-26")},
-       .mutants = {{"motion/free_flight.hpp", "axial_momentum * (t * rates.spin) / T(2)",
-                    "axial_momentum * (t * rates.spin)"},
+       .mutants = {{"motion/free_flight.hpp", "axial_momentum * (t * mobility.axial) / T(2)",
+                    "axial_momentum * (t * mobility.axial)"},
                    {"motion/free_flight.hpp", "T(1) / moments.transverse", "T(1) / moments.axial"},
                    {"motion/free_flight.hpp", "(moments.transverse - moments.axial)",
                     "(moments.axial - moments.transverse)"},
@@ -282,8 +283,8 @@ std::vector<Claim> flight_claims() {
                          "as FLIGHT-1: the batch's sine and cosine are as good, and 4 I_a >= I_t", 0.5),
                   within("as alone", 8.0, "ε (1 + phase)", "the attitude's and that of the stone alone", 0.5), path[0],
                   path[1]},
-       .mutants = {{"motion/batch.hpp", "group.rates.spin[lane] = rates.spin",
-                    "group.rates.spin[lane] = rates.precession"},
+       .mutants = {{"motion/batch.hpp", "group.axial[lane] = mobility.axial",
+                    "group.axial[lane] = mobility.transverse"},
                    {"motion/batch.hpp", "const std::size_t lane = index % lanes;",
                     "const std::size_t lane = (index + 1) % lanes;"},
                    {"motion/batch.hpp", "f(to.v_WB[i], from.v_WB[i])", "f(to.v_WB[i], from.p_WB[i])"},

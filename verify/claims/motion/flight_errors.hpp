@@ -26,7 +26,7 @@ template <class Real, class T>
   const Quat<Real> q = top.state.q_WB.template cast<Real>().normalized();
   const Vec3<Real> L = top.state.L_W.template cast<Real>();
   const Moments<Real> moments{.axial = Real(top.moments.axial), .transverse = Real(top.moments.transverse)};
-  return formula::free_rotation<Real>(q, L, formula::axial_momentum(q, L), formula::top_rates(moments), Real(top.time));
+  return formula::free_rotation<Real>(q, L, formula::axial_momentum(q, L), formula::mobility(moments), Real(top.time));
 }
 
 /// The angle between a computed and the true attitude, in ε (1 + phase).

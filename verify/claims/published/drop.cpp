@@ -292,7 +292,7 @@ std::vector<Claim> published_drop_claims() {
                     "const T limit = -(c.friction * j / T(2))"},
                    {"motion/free_flight.hpp", "const T precession = T(1) / moments.transverse",
                     "const T precession = T(1) / moments.axial"},
-                   {"impact/body.hpp", "const T along = mobility.axial * formula::dot(u_W, L_W)",
+                   {"mass/rigid_body.hpp", "const T along = mobility.axial * formula::dot(u_W, L_W)",
                     "const T along = mobility.axial * formula::dot(u_W, L_W) / T(2)"}},
        .measure = measure_one_impact},
       {.id = "PUBLISHED-18",

@@ -210,7 +210,7 @@ std::vector<Claim> published_impact_claims() {
        .mutants = {{"published/linear_response.hpp", "-((T(1) + restitution) * formula::dot(momentum, n_W))",
                     "-((T(1) - restitution) * formula::dot(momentum, n_W))"},
                    {"vector.hpp", "T(a.x() * b.y() - a.y() * b.x())", "T(a.x() * b.y() + a.y() * b.x())"},
-                   {"impact/body.hpp", ".transverse = T(T(1) / moments.transverse)",
+                   {"mass/rigid_body.hpp", ".transverse = T(T(1) / moments.transverse)",
                     ".transverse = T(T(1) / moments.axial)"}},
        .measure = measure_linear},
       {.id = "PUBLISHED-15",

@@ -128,12 +128,12 @@ template <Ordered T>
 
 /// A time t after the first bounce: n bounces later, which take first (1 − eⁿ)/(1 − e).
 template <Ordered T>
-[[nodiscard]] State<T> bouncing(const Bouncing<T>& motion, const TopRates<T>& rates, const T& t) {
+[[nodiscard]] State<T> bouncing(const Bouncing<T>& motion, const Mobility<T>& mobility, const T& t) {
   using Wide = scalar::wider_t<T>;
   State<T> state = motion.from;
   const T v = state.v_WB.z();
   state.v_WB.z() = T(0);
-  state = formula::free_flight(state, rates, Vec3<T>(Vec3<T>::Zero()), t);
+  state = formula::free_flight(state, mobility, Vec3<T>(Vec3<T>::Zero()), t);
   const T& e = motion.restitution;
   const T first = T(2) * v / motion.g, left = T(1) - t * (T(1) - e) / first;
   if (!(T(0) < v) || !(T(0) < left) || !(T(0) < e && e < T(1))) {
@@ -165,7 +165,7 @@ void keep_ledger(State<T>& state, const ContactPlace<T>& now, const T& loss, con
 /// The state at a time of a stretch.
 template <Ordered T>
 [[nodiscard]] State<T> state_in(const Stretch<T>& stretch, const T& time, const ContactBody<T>& body,
-                                const TopRates<T>& rates, const T& mass) {
+                                const Mobility<T>& mobility, const T& mass) {
   const T t = time - stretch.begin;
   if (const auto* touching = std::get_if<Touching<T>>(&stretch.motion)) {
     const T theta = t < touching->length ? T(t / touching->length) : T(1);
@@ -178,10 +178,10 @@ template <Ordered T>
     return state;
   }
   if (const auto* flying = std::get_if<Flying<T>>(&stretch.motion)) {
-    return T(0) < t ? formula::free_flight(flying->from, rates, flying->gravity, t) : flying->from;
+    return T(0) < t ? formula::free_flight(flying->from, mobility, flying->gravity, t) : flying->from;
   }
   if (const auto* bounces = std::get_if<Bouncing<T>>(&stretch.motion)) {
-    return bouncing(*bounces, rates, t);
+    return bouncing(*bounces, mobility, t);
   }
   return std::get<Standing<T>>(stretch.motion).state;
 }

@@ -150,7 +150,7 @@ class FlightPhase {
 
   static void advance(Run<T>& run, const T& t) {
     if (T(0) < t) {
-      run.state = formula::free_flight(run.state, run.rates, run.settings.gravity, t);
+      run.state = formula::free_flight(run.state, run.mobility, run.settings.gravity, t);
       run.time = run.time + t;
     }
   }
@@ -287,7 +287,7 @@ class FlightPhase {
     const T v = run.state.v_WB.z();
     const T g = -run.settings.gravity.z();
     run.state.v_WB.z() = T(0);
-    run.state = formula::free_flight(run.state, run.rates, Vec3<T>(Vec3<T>::Zero()), length_);
+    run.state = formula::free_flight(run.state, run.mobility, Vec3<T>(Vec3<T>::Zero()), length_);
     run.time = run.time + length_;
     run.record(EventKind::bounces_close, before, [&](Event<T>& event) {
       event.impulse_W = {T(0), T(0), T(run.body.mass * (g * length_ - v))};

@@ -33,7 +33,7 @@ template <Ordered T>
 /// still closed to round-off   [s].
 template <Ordered T>
 [[nodiscard]] T opening_time(const Run<T>& run) {
-  const FlightPath<T> path = path_of(run.state, run.rates, run.settings.gravity);
+  const FlightPath<T> path = path_of(run.state, run.mobility, run.settings.gravity);
   const GapAlong<T> gap = gap_along(run.stone, path, Vec3<T>(T(0), T(0), T(1)), run.level);
   const T sure = T(512) * std::numeric_limits<T>::epsilon() * (outer_width(run.stone) + scalar::abs(run.level));
   const T unit = T(1) / run.scales.frequency;
@@ -54,7 +54,7 @@ template <Ordered T>
 /// The first touch within `left`.
 template <Ordered T>
 [[nodiscard]] TimeOfImpact<T> next_impact(const Run<T>& run, const T& left) {
-  const FlightPath<T> path = path_of(run.state, run.rates, run.settings.gravity);
+  const FlightPath<T> path = path_of(run.state, run.mobility, run.settings.gravity);
   if (!run.board) {
     return time_of_impact(run.stone, path, Plane<T>{}, left);
   }

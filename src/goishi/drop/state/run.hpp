@@ -73,7 +73,6 @@ struct Run {
   std::optional<Board<T>> board;  // or none: the plane z = 0
   DropSettings<T> settings;       // filled
   ContactScales<T> scales;
-  TopRates<T> rates;
   Mobility<T> mobility;
   ContactBody<T> contact_body;
   T reach;  // greatest distance of a point of the stone from its centre
@@ -135,8 +134,7 @@ template <Ordered T>
           .board = board,
           .settings = all,
           .scales = contact_scales(stone, strength),
-          .rates = formula::top_rates(moments),
-          .mobility = formula::mobility(body.mass, moments),
+          .mobility = formula::mobility(body),
           .contact_body =
               contact_body(stone, Moments<T>{moments.axial / body.mass, moments.transverse / body.mass}, all, strength),
           .reach = reach,

@@ -118,8 +118,8 @@ struct SpeedBounds {
 /// something else touches it or, in a flight, its fall has added √(c g), c its reach, or what its speed is already.
 /// `lever` = √(1 + c²/k²), k² = I_t/m: |v| + c |ω| <= lever √(2 e) where v² + k² ω² <= 2 e.
 template <Ordered T>
-[[nodiscard]] SpeedBounds<T> speed_bounds(const Drop<T>& drop, const T& reach, const T& lever, const TopRates<T>& rates,
-                                          const T& time) {
+[[nodiscard]] SpeedBounds<T> speed_bounds(const Drop<T>& drop, const T& reach, const T& lever,
+                                          const Mobility<T>& mobility, const T& time) {
   const Stretch<T>& stretch = drop.stretch();
   const auto size = [](const Vec3<T>& v) { return scalar::sqrt(formula::dot(v, v)); };
   if (const auto* flying = std::get_if<Flying<T>>(&stretch.motion)) {
@@ -128,12 +128,12 @@ template <Ordered T>
     const T more = scalar::max(now, scalar::sqrt(T(reach * g)));
     const T grows = T(0) < g ? T(g * (stretch.end - time)) : T(0);
     const T centre = now + scalar::min(grows, more);
-    const T turning = reach * rates.precession * size(flying->from.L_W);
+    const T turning = reach * mobility.transverse * size(flying->from.L_W);
     return {centre, T(centre + turning), more < grows ? T(time + more / g) : stretch.end};
   }
   if (const auto* bouncing = std::get_if<Bouncing<T>>(&stretch.motion)) {
     const T centre = size(bouncing->from.v_WB);
-    return {centre, T(centre + reach * rates.precession * size(bouncing->from.L_W)), stretch.end};
+    return {centre, T(centre + reach * mobility.transverse * size(bouncing->from.L_W)), stretch.end};
   }
   if (const auto* touching = std::get_if<Touching<T>>(&stretch.motion)) {
     const ContactBody<T>& body = drop.contact_body();
@@ -152,21 +152,21 @@ template <Ordered T>
 
 /// How a stone alone moves along its present stretch.
 template <Ordered T>
-[[nodiscard]] Moving<T> moving_of(const Drop<T>& drop, const TopRates<T>& rates) {
+[[nodiscard]] Moving<T> moving_of(const Drop<T>& drop, const Mobility<T>& mobility) {
   const Stretch<T>& stretch = drop.stretch();
   Moving<T> moving{.stone = &drop.stone(), .begin = stretch.begin, .end = stretch.end};
   if (const auto* touching = std::get_if<Touching<T>>(&stretch.motion)) {
     moving.body = &drop.contact_body();
     moving.touching = touching;
   } else if (const auto* flying = std::get_if<Flying<T>>(&stretch.motion)) {
-    moving.path = path_of(flying->from, rates, flying->gravity);
+    moving.path = path_of(flying->from, mobility, flying->gravity);
   } else if (const auto* bouncing = std::get_if<Bouncing<T>>(&stretch.motion)) {
     // Less than `closing_speed`²/2g high: as if it stayed down.
     State<T> from = bouncing->from;
     from.v_WB.z() = T(0);
-    moving.path = path_of(from, rates, Vec3<T>(Vec3<T>::Zero()));
+    moving.path = path_of(from, mobility, Vec3<T>(Vec3<T>::Zero()));
   } else {
-    moving.path = path_of(std::get<Standing<T>>(stretch.motion).state, rates, Vec3<T>(Vec3<T>::Zero()));
+    moving.path = path_of(std::get<Standing<T>>(stretch.motion).state, mobility, Vec3<T>(Vec3<T>::Zero()));
     moving.path.v_W = Vec3<T>::Zero();
   }
   return moving;

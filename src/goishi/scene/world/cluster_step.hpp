@@ -337,7 +337,7 @@ class ClusterStep : private ClusterImpulses<T> {
       if (listed || speed * length < height - level) {
         return;
       }
-      const FlightPath<T> path = path_of(member.state, member.rates, Vec3<T>(Vec3<T>::Zero()));
+      const FlightPath<T> path = path_of(member.state, member.mobility, Vec3<T>(Vec3<T>::Zero()));
       const TimeOfImpact<T> hit = time_of_impact(member.stone, path, ground, length);
       if (hit.status == ImpactStatus::hit && hit.time < length) {
         length = hit.time < least ? least : hit.time;

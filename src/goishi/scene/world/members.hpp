@@ -41,7 +41,6 @@ struct Member {
   Stone<T> stone;
   RigidBody<T> body;
   Mobility<T> mobility;
-  TopRates<T> rates;
   T reach;  // [m] greatest distance of a point from the centre
   T lever;  // of `speed_bounds`
   T rolling, pivot;

@@ -226,7 +226,7 @@ class SceneCourse {
       static_cast<void>(to_cluster(i));  // what its equations do not pass, steps do
       return;
     }
-    const SpeedBounds<T> bounds = speed_bounds(drop, member.reach, member.lever, member.rates, world.now);
+    const SpeedBounds<T> bounds = speed_bounds(drop, member.reach, member.lever, member.mobility, world.now);
     world.bound_by(i, bounds);
     if (member.fresh) {
       member.fresh = false;

@@ -51,7 +51,7 @@ class World {
       return state;
     }
     return T(0) < t && !is_asleep(member)
-               ? formula::free_flight(member.state, member.rates, Vec3<T>(Vec3<T>::Zero()), t)
+               ? formula::free_flight(member.state, member.mobility, Vec3<T>(Vec3<T>::Zero()), t)
                : member.state;
   }
 
@@ -78,13 +78,13 @@ class World {
   [[nodiscard]] Moving<T> moving(const Member<T>& member) const {
     constexpr T never = std::numeric_limits<T>::infinity();
     if (member.keeper == Keeper::drop) {
-      Moving<T> result = moving_of(drops[member.drop], member.rates);
+      Moving<T> result = moving_of(drops[member.drop], member.mobility);
       result.speed = member.bounds.surface;
       result.end = scalar::min(result.end, member.bounds.until);
       return result;
     }
     Moving<T> result{.stone = &member.stone, .begin = member.time, .end = never, .speed = member.bounds.surface};
-    result.path = path_of(member.state, member.rates, Vec3<T>(Vec3<T>::Zero()));
+    result.path = path_of(member.state, member.mobility, Vec3<T>(Vec3<T>::Zero()));
     if (member.keeper == Keeper::hand) {
       const T rate = scalar::sqrt(formula::dot(member.w_W, member.w_W));
       result.path.rate = rate;
