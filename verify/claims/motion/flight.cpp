@@ -115,7 +115,7 @@ Measurement measure_path(Context& context) {
     const State<T> start = draw_thrown<T>(context.random(), Quat<T>::Identity());
     const Vec3<T> gravity = Vec3<T>(start.v_WB.reverse()) + gravity_W<T>();
     const T time = static_cast<T>(draw_decades(context.random(), -3.0, 3.0));
-    const State<T> after = free_flight(start, {.axial = T(2), .transverse = T(1)}, gravity, time);
+    const State<T> after = free_flight(start, Moments<T>{.axial = T(2), .transverse = T(1)}, gravity, time);
     see_path(context, checks, start, gravity, time, after, [&] {
       return fmt::format("p, v = {:a}, {:a}, g = {:a}, t = {:a} (first coordinates)", start.p_WB[0], start.v_WB[0],
                          gravity[0], time);

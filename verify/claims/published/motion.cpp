@@ -111,10 +111,11 @@ Measurement measure_constant_velocity(Context& context) {
       {"the same angular velocity on a ball: attitudes differ by",
        fmt::format("{:.1g} rad, the shape has no effect", attitude_difference(ball_end, state.q_WB))},
       {"right: stone and ball differ by",
-       fmt::format("{:.2f} rad",
-                   attitude_difference(right.q_WB, free_flight(ball_start, {.axial = 0.3, .transverse = 0.3},
-                                                               Vec3<double>(Vec3<double>::Zero()), duration)
-                                                       .q_WB))}};
+       fmt::format(
+           "{:.2f} rad",
+           attitude_difference(right.q_WB, free_flight(ball_start, Moments<double>{.axial = 0.3, .transverse = 0.3},
+                                                       Vec3<double>(Vec3<double>::Zero()), duration)
+                                               .q_WB))}};
   return result;
 }
 
