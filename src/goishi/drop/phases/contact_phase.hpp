@@ -385,14 +385,8 @@ class ContactPhase {
 
   void slide_locked(Run<T>& run) {
     const ContactPlace<T> now = place_of(run.contact_body, contact_.feature, contact_.y);
-    Variables<T> where = contact_.y;
-    const auto inside = [&](const T& x, const T& y) {
-      where[at::x] = x;
-      where[at::y] = y;
-      return run.board ? contact_.support_guard(run, now, where) : T(1);
-    };
     Interpolant<T, 4> along;
-    ahead_.length = locked_->plan(run.counters, along, inside);
+    ahead_.length = locked_->plan(run, contact_, now, along);
     ahead_.to = contact_.y;
     ahead_.straight(contact_.y);
     constexpr std::array<std::size_t, 4> moves = {at::x, at::y, at::slip, at::direction};

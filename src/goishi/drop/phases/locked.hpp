@@ -7,6 +7,7 @@
 #include <goishi/drop/rest/statics.hpp>
 #include <goishi/drop/schemes/runge_kutta.hpp>
 #include <goishi/drop/state/run.hpp>
+#include <goishi/drop/steps/support_loss.hpp>
 
 namespace goishi::detail {
 
@@ -35,10 +36,10 @@ class LockedSlide {
             formula::damped(T(f.y() + body_.gravity.y()), body_.damping, y[3])};
   }
 
-  /// Plans the next stretch: how long it is and the way, at whose end `end` says what follows. The contact point is to stay
-  /// where `inside(x, y)` is positive.
-  template <class Inside>
-  [[nodiscard]] T plan(DropCounters& counters, Interpolant<T, 4>& along, Inside&& inside) {
+  /// Plans the next stretch: how long it is and the way, at whose end `end` says what follows.
+  [[nodiscard]] T plan(Run<T>& run, const ContactState<T>& contact, const ContactPlace<T>& place,
+                       Interpolant<T, 4>& along) {
+    DropCounters& counters = run.counters;
     const T speed = size_of(y_[2], y_[3]);
     if (is_in_cone(body_, at_.n, Vec3<T>(-body_.gravity)) && speed <= T(0.01) * tolerance_ * speed_) {
       end_ = LockedEnd::stopped;
@@ -78,13 +79,11 @@ class LockedSlide {
       along = interpolant(y_, rate_, trial.y, trial.rate, h, bend_of(trial, rate_, h));
       y_ = trial.y;
       rate_ = trial.rate;
-      if (!(T(0) < inside(y_[0], y_[1]))) {
+      if (const std::optional<T> lost = support_lost(run, contact, place, along)) {
         end_ = LockedEnd::support;
-        counters.evaluations_located += std::numeric_limits<T>::digits;
-        const T share = crossing(along, inside);
-        along = along.cut(share);
+        along = along.cut(*lost);
         y_ = along(T(1));
-        h = share * h;
+        h = *lost * h;
       }
       return h;
     }
@@ -175,14 +174,30 @@ class LockedSlide {
     return formula::friction_force(T(-body_.gravity.z()), friction_per_speed(size_of(y[2], y[3])), y[2], y[3]);
   }
 
-  /// The share of the way at which the contact point leaves, by bisection: just outside.
-  template <class Inside>
-  [[nodiscard]] static T crossing(const Interpolant<T, 4>& along, Inside&& inside) {
+  /// The share of the way at which the support is lost first, by bisection: just beyond.
+  [[nodiscard]] static std::optional<T> support_lost(Run<T>& run, const ContactState<T>& contact,
+                                                     const ContactPlace<T>& place, const Interpolant<T, 4>& along) {
+    if (!run.board) {
+      return std::nullopt;
+    }
+    const auto lasts = [&](const T& share) {
+      const Motion y = along(share);
+      return T(0) < contact.support_left(run, place, y[0], y[1]).gap;
+    };
     T low(0), high(1);
+    if (lasts(high)) {
+      SupportLoss search(run, contact, along, 0, std::nullopt, [&](const Motion&) { return place; });
+      const std::optional<T> lost = search();
+      run.counters.evaluations_located += search.views();
+      if (!lost) {
+        return std::nullopt;
+      }
+      high = *lost;
+    }
+    run.counters.evaluations_located += std::numeric_limits<T>::digits;
     for (int i = 0; i < std::numeric_limits<T>::digits && low < high; ++i) {
       const T middle = (low + high) / T(2);
-      const Motion y = along(middle);
-      (T(0) < inside(y[0], y[1]) ? low : high) = middle;
+      (lasts(middle) ? low : high) = middle;
     }
     return high;
   }

@@ -54,6 +54,26 @@ struct Interpolant {
     return y;
   }
 
+  /// By how much each power of s changes component i from θ = a on, at a + s (b − a), s from 0 to 1.
+  [[nodiscard]] std::array<T, 5> changes(std::size_t i, const T& a, const T& b) const {
+    std::array<T, 6> q;
+    for (std::size_t k = 0; k < q.size(); ++k) {
+      q[k] = c[k][i];
+    }
+    for (std::size_t k = 0; k < q.size(); ++k) {  // about a, by Horner's scheme again and again
+      for (std::size_t j = q.size() - 1; j-- > k;) {
+        q[j] = q[j] + a * q[j + 1];
+      }
+    }
+    std::array<T, 5> result;
+    T power(1);
+    for (std::size_t k = 0; k < result.size(); ++k) {
+      power = power * (b - a);
+      result[k] = power * q[k + 1];
+    }
+    return result;
+  }
+
   /// The same up to θ = `share`, as a stretch of its own.
   [[nodiscard]] Interpolant cut(const T& share) const {
     Interpolant part = *this;

@@ -12,6 +12,14 @@
 
 namespace goishi::detail {
 
+/// How far a stone in contact is from losing its support   [m]: its contact point is inside the playing surface by `gap`, the
+/// least of `x` and `y` from the edges across them; or on the floor the stone is off the board's side, along a normal whose
+/// horizontal part is (x, y).
+template <class T>
+struct SupportLeft {
+  T gap, x, y;
+};
+
 template <Ordered T>
 struct ContactState : ContactFrame<T> {
   using ContactFrame<T>::feature, ContactFrame<T>::mode, ContactFrame<T>::level, ContactFrame<T>::origin;
@@ -107,22 +115,25 @@ struct ContactState : ContactFrame<T> {
     run.record(kind, run.state, [&](Event<T>& event) { fill(run, event); });
   }
 
-  /// How far the contact point is inside the playing surface, or the stone from the board's side   [m].
-  [[nodiscard]] T support_guard(const Run<T>& run, const ContactPlace<T>& now, const Variables<T>& where) const {
+  /// What is left of the support where the stone is at (p_x, p_y).
+  [[nodiscard]] SupportLeft<T> support_left(const Run<T>& run, const ContactPlace<T>& now, const T& p_x,
+                                            const T& p_y) const {
     const Board<T>& board = *run.board;
     if (!(level < T(0))) {
-      const T across = board.half_width - scalar::abs<T>(where[at::x] + now.r.x());
-      const T along = board.half_length - scalar::abs<T>(where[at::y] + now.r.y());
-      return across < along ? across : along;
+      const T across = board.half_width - scalar::abs<T>(p_x + now.r.x());
+      const T along = board.half_length - scalar::abs<T>(p_y + now.r.y());
+      return {across < along ? across : along, across, along};
     }
-    const T across = scalar::abs<T>(where[at::x]) - board.half_width,
-            along = scalar::abs<T>(where[at::y]) - board.half_length;
+    const T across = scalar::abs<T>(p_x) - board.half_width, along = scalar::abs<T>(p_y) - board.half_length;
     const T over = (across < along ? along : across) - run.reach;
     if (T(0) < over) {
-      return over;
+      return across < along ? SupportLeft<T>{over, T(0), p_y < T(0) ? T(-1) : T(1)}
+                            : SupportLeft<T>{over, p_x < T(0) ? T(-1) : T(1), T(0)};
     }
-    const Vec3<T> p(where[at::x], where[at::y], T(level + now.height));
-    return separation(Placed<T>{run.stone, p, Vec3<T>(now.u / scalar::sqrt(formula::dot(now.u, now.u)))}, board).gap;
+    const Vec3<T> p(p_x, p_y, T(level + now.height));
+    const Separation<T> found =
+        separation(Placed<T>{run.stone, p, Vec3<T>(now.u / scalar::sqrt(formula::dot(now.u, now.u)))}, board);
+    return {found.gap, found.n_W.x(), found.n_W.y()};
   }
 
   /// Whether a turning is so fast that it has a direction.

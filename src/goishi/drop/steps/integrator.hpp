@@ -11,6 +11,7 @@
 #include <goishi/drop/state/contact_state.hpp>
 #include <goishi/drop/steps/crossing.hpp>
 #include <goishi/drop/steps/energy_balance.hpp>
+#include <goishi/drop/steps/support_loss.hpp>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -361,7 +362,7 @@ class ContactIntegrator {
                                              const Equations& equations, const Variables<T>& y) {
     GuardValues value = equations.guards().value;
     if (run.board) {
-      value[guard_count - 1] = contact.support_guard(run, equations.now, y) / run.scales.length;
+      value[guard_count - 1] = contact.support_left(run, equations.now, y[at::x], y[at::y]).gap / run.scales.length;
     }
     return value;
   }
@@ -386,6 +387,21 @@ class ContactIntegrator {
                              Ahead<T>& ahead) {
     Guard found = Guard::none;
     T share(1);
+    const auto guards_at = [&](const T& theta) {
+      ++run.counters.evaluations_located;
+      const Variables<T> y = ahead.along(theta);
+      static_cast<void>(equations(y));
+      return guards_of(run, contact, equations, y);
+    };
+    const auto know_the_way = [&] {
+      from_rate_ = rate_;
+      ahead.along = interpolated(equations, contact.y, trial_.y, ahead.length);
+    };
+    if (const std::optional<T> lost = support_lost(run, contact, ahead.length, now)) {
+      know_the_way();
+      share = *lost;
+      now = guards_at(share);
+    }
     for (std::size_t pass = 0; pass < guard_count; ++pass) {
       std::size_t which = guard_count;
       for (std::size_t i = 0; i < guard_count; ++i) {
@@ -399,16 +415,9 @@ class ContactIntegrator {
         break;
       }
       if (found == Guard::none) {
-        from_rate_ = rate_;
-        ahead.along = interpolated(equations, contact.y, trial_.y, ahead.length);
+        know_the_way();
       }
       found = Equations::names[which];
-      const auto guards_at = [&](const T& theta) {
-        ++run.counters.evaluations_located;
-        const Variables<T> y = ahead.along(theta);
-        static_cast<void>(equations(y));
-        return guards_of(run, contact, equations, y);
-      };
       // A slip is zero where it begins without round-off, and however short it lives counts: that time has to pass.
       find_crossing(old_, which, found == Guard::slip ? T(0) : crossing_noise<T>(), now, share, guards_at);
     }
@@ -419,6 +428,31 @@ class ContactIntegrator {
       ahead.known = true;
     }
     return found;
+  }
+
+  /// Where within the trial step the support is lost, though it is there at both ends.
+  [[nodiscard]] std::optional<T> support_lost(Run<T>& run, const ContactState<T>& contact, const T& h,
+                                              const GuardValues& now) const {
+    const std::size_t support = guard_count - 1;
+    if (!run.board || !(T(0) < old_[support]) || !(T(0) < now[support])) {
+      return std::nullopt;
+    }
+    const auto speed = [&](const Variables<T>& rate) {
+      return ContactState<T>::size_of(rate[at::x], rate[at::y]) +
+             T(4) * run.reach *
+                 (scalar::abs(rate[at::u]) + scalar::abs(rate[at::u + 1]) + scalar::abs(rate[at::u + 2]));
+    };
+    // Far more than a step goes that the error control accepts.
+    if (T(4) * h * (speed(rate_) + speed(trial_.rate)) < (old_[support] + now[support]) * run.scales.length) {
+      return std::nullopt;
+    }
+    const Interpolant<T, variables> along =
+        interpolant(contact.y, rate_, trial_.y, trial_.rate, h, bend_of(trial_, rate_, h));
+    SupportLoss lost(run, contact, along, at::x, at::u,
+                     [&](const Variables<T>& y) { return place_of(run.contact_body, contact.feature, y); });
+    const std::optional<T> share = lost();
+    run.counters.evaluations_located += lost.views();
+    return share;
   }
 
   /// The greatest error of a variable over what is allowed.

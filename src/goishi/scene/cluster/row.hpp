@@ -54,6 +54,13 @@ struct Mover {
   Vec3<T> v, w;
   Vec3<T> free_v, free_w;  // with no contact
   T reach;                 // [m]
+
+  /// m v² + ω · I ω   [J], of velocities that it may have.
+  [[nodiscard]] T twice_kinetic_energy(const Vec3<T>& v_W, const Vec3<T>& w_W) const {
+    const T axial = mobility.transverse + mobility.axial, along = formula::dot(u, w_W);
+    const T turning = formula::dot(w_W, w_W) - scalar::sq(along);
+    return formula::dot(v_W, v_W) / mobility.linear + turning / mobility.transverse + scalar::sq(along) / axial;
+  }
 };
 
 template <class T>
