@@ -214,11 +214,11 @@ TEST(CInterface, Drops) {
     const List ground = on_plane ? List{0.0, 0.0, 1.0, 0.0} : board_list;
     goishi_drop* drop = nullptr;
     EXPECT_DONE(goishi_drop_create(AS_ARRAY(scene.stone), AS_ARRAY(scene.state), AS_ARRAY(ground), AS_ARRAY(settings),
-                                   20000, &drop));
+                                   100000, &drop));
     Drop<double> other =
         on_plane ? Drop<double>(scene.shape, scene.body(), scene.start, same_settings)
                  : Drop<double>(scene.shape, scene.body(), scene.start, make_board<double>(), same_settings);
-    other.keep_motion(20000);
+    other.keep_motion(100000);
     std::vector<Event<double>> events;
     EXPECT_DONE(goishi_drop_advance(drop, 0.125));
     static_cast<void>(other.advance(0.125, events));

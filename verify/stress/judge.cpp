@@ -110,6 +110,26 @@ class Judge {
       }
     }
     see_depth(drop_.state, drop_.time, "end");
+    if (scene_.board) {
+      see_motion();
+    }
+  }
+
+  /// At times of the motion that is kept, in contact too, where the polynomial along a step is off by its tolerance.
+  void see_motion() {
+    Drop<double> again(scene_.stone, scene_.body, scene_.start, *scene_.board, scene_.settings);
+    again.keep_motion(5000);
+    static_cast<void>(again.advance_to(drop_.time));
+    constexpr int looks = 200;
+    const double begin = again.motion_begin(), allowed = 2e-9 + 20.0 * scene_.settings.tolerance;
+    for (int i = 1; i < looks; ++i) {
+      const double time = begin + i * (again.time() - begin) / looks;
+      const double depth = -gap_of(scene_, again.state_at(time)) / width_;
+      if (!(depth <= allowed)) {
+        fault(fmt::format("{:.3g} widths deep at {} s, under way", depth, time));
+        return;
+      }
+    }
   }
 
   void energies() {

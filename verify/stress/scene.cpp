@@ -221,6 +221,30 @@ Scene draw_scene(std::uint64_t seed, std::uint64_t index) {
   return scene;
 }
 
+Scene draw_floor_scene(std::uint64_t seed, std::uint64_t index) {
+  Scene scene = draw_scene(seed, index);
+  Dice dice(seed ^ 0x5eedULL, index);
+  const double size = outer_width(scene.stone) / 0.022, pace = std::sqrt(size);
+  scene.board = scaled(make_board<double>(), size);
+  const Board<double>& board = *scene.board;
+  const auto inside = [&](double half) { return half * dice.uniform(-1.1, 1.1); };
+  const Vec3<double> to(inside(board.half_width), inside(board.half_length), board.floor);
+  const double angle = dice.uniform(0.0, 6.3), out = std::hypot(board.half_width, board.half_length);
+  const double away = out + size * (0.03 + 0.1 * dice.uniform(0.0, 1.0));
+  scene.start.p_WB = {away * std::cos(angle), away * std::sin(angle), board.floor + outer_width(scene.stone)};
+  scene.start.q_WB = draw_attitude(dice);
+  const Pose<double> pose{scene.start.p_WB, scene.start.q_WB};
+  scene.start.p_WB.z() -= separation(scene.stone, pose, floor_of(board)).gap;
+  const Vec3<double> way(to.x() - scene.start.p_WB.x(), to.y() - scene.start.p_WB.y(), 0.0);
+  scene.start.v_WB = pace * dice.uniform(0.5, 4.0) * way.normalized();
+  const bool spins = dice.of(3) == 0;
+  const Vec3<double> w_B = spins ? Vec3<double>(draw_spin(dice) / pace) : Vec3<double>::Zero();
+  scene.start.L_W = formula::angular_momentum_W(scene.start.q_WB, scene.body, w_B);
+  scene.settings.friction = dice.of(3) == 0 ? 0.0 : dice.decades(-3.0, -0.5);
+  scene.settings.horizon = pace * dice.uniform(0.3, 1.5);
+  return scene;
+}
+
 DropResult<double> run(const Scene& scene) {
   return scene.board ? drop(scene.stone, scene.body, scene.start, *scene.board, scene.settings)
                      : drop(scene.stone, scene.body, scene.start, scene.settings);

@@ -1,6 +1,7 @@
 // Tests the page in a browser.
 // usage: node run.mjs SOURCE_DIR PAGE LIBRARY REPORT [PART…]
-// PAGE is goishi.html, LIBRARY libgoishi.so, REPORT a folder for pictures; a part is a section, or `whole`.
+// PAGE is goishi.html, LIBRARY libgoishi.so, REPORT a folder for pictures; a part is a section, `whole`, or `cost`: of all
+// sections what a picture costs, which each says of itself, too.
 
 import { existsSync, mkdirSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
@@ -25,8 +26,14 @@ const ids = await first.evaluate(() => [...document.querySelectorAll("[data-sect
 await first.context().close();
 
 const parts = only.length > 0 ? only : ["whole", ...ids];
+const unknown = parts.filter((part) => !["whole", "cost", ...ids].includes(part));
+if (unknown.length > 0) {
+  console.error(`run.mjs: no part is called ${unknown.join(", ")}`);
+  process.exit(2);
+}
 if (parts.includes("whole")) await whole(browser, cases, ids, report);
-for (const id of parts.filter((part) => part !== "whole")) {
+if (parts.includes("cost")) for (const id of ids) await cost(id, resolve(page), cases);
+for (const id of parts.filter((part) => ids.includes(part))) {
   await every(id, browser, cases, report);
   await cost(id, resolve(page), cases);
   await cases.run(`${id} has tests of its own`, async () => expect(existsSync(join(here, `${id}.mjs`)), `there is no ${id}.mjs`));

@@ -201,6 +201,11 @@ Measurement measure_stress(Context& context) {
     const auto index = static_cast<std::uint64_t>(i);
     see("random", seed, index, stress::judge_index(seed, index), false);
   }
+  for (int i = 0; i < context.samples(60, 300); ++i) {
+    const auto index = static_cast<std::uint64_t>(i);
+    const stress::Scene scene = stress::draw_floor_scene(seed, index);
+    see("to the side", seed, index, stress::judge(scene, stress::run(scene)), false);
+  }
   // Beyond the physical range too, these end.
   for (const Once& drop : once_wrong) {
     const stress::Verdict verdict = stress::judge_index(drop.seed, drop.index);
@@ -274,9 +279,10 @@ std::vector<Claim> drop_whole_claims() {
        .function = "drop",
        .family = OracleFamily::invariant,
        .oracle = "the stress test's judge: gaps along flights and at events, energy at events, rest that lasts",
-       .checks = {none("random", "faults"), none("once wrong", "faults")},
+       .checks = {none("random", "faults"), none("to the side", "faults"), none("once wrong", "faults")},
        .mutants = {{"drop/phases/next_impact.hpp", "if (hit.status != ImpactStatus::overlapping && T(0) < until) {",
-                    "if (false) {"}},
+                    "if (false) {"},
+                   {"drop/steps/support_loss.hpp", "if (depth == 0 ||", "if (depth < 50 ||"}},
        .measure = measure_stress},
   };
 }

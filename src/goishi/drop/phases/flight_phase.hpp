@@ -48,7 +48,7 @@ class FlightPhase {
 
   /// Plans the next flight. False where nothing ends it, or nothing can be said; the run's status tells which.
   [[nodiscard]] bool plan(Run<T>& run) {
-    if (leg_ == Leg::closing || leg_ == Leg::opening) {
+    if (leg_ == Leg::closing || leg_ == Leg::opening || leg_ == Leg::aside) {
       return true;
     }
     constexpr int most_pushes = 64;
@@ -109,7 +109,7 @@ class FlightPhase {
       return close_bounces(run);
     }
     advance(run, length_);
-    return leg == Leg::to_touch ? meet(run, hit_.contact) : Next::flight;
+    return leg == Leg::to_touch || leg == Leg::aside ? meet(run, hit_.contact) : Next::flight;
   }
 
   /// What touches, where a contact follows.
@@ -138,8 +138,9 @@ class FlightPhase {
   }
 
  private:
-  /// What a flight leads to: on, the next touch, a gap that is open for sure, the end of all bounces.
-  enum class Leg { on, to_touch, opening, closing };
+  /// What a flight leads to: on, the next touch, a gap that is open for sure or before that the board's side, the end of all
+  /// bounces.
+  enum class Leg { on, to_touch, opening, aside, closing };
 
   static Next end(Run<T>& run, DropStatus status) {
     run.status = status;
@@ -312,12 +313,26 @@ class FlightPhase {
     note(run, EventKind::lift_off, feature);
     length_ = opening_time(run);
     if (T(0) < length_) {
-      leg_ = Leg::opening;
+      leg_ = run.level < T(0) && meets_side(run) ? Leg::aside : Leg::opening;
       return;
     }
     Vec3<T>& p = run.state.p_WB;
     const T level = scalar::abs(T(run.level));
     p.z() = p.z() + T(64) * std::numeric_limits<T>::epsilon() * (outer_width(run.stone) + level);
+  }
+
+  /// Whether the way that opens a gap over the floor leads to the board's side: it is then as long as up to there.
+  [[nodiscard]] bool meets_side(Run<T>& run) {
+    const FlightPath<T> path = path_of(run.state, run.mobility, run.settings.gravity);
+    const TimeOfImpact<T> hit = time_of_impact(run.stone, path, *run.board, length_);
+    run.counters.root_steps += hit.steps;
+    run.counters.separations += hit.separations;
+    if (hit.status != ImpactStatus::hit) {
+      return false;
+    }
+    hit_ = hit;
+    length_ = hit.time;
+    return true;
   }
 
   EdgeHops<T> hops_;
