@@ -240,7 +240,7 @@ std::vector<Claim> case_claims() {
       case_claim("CASE-1",
                  "A symmetric top, 10 s: the velocity and the attitude that Drake prints for Kane's solution.",
                  "free_flight, elliptic_flight, Stepper", "Drake's numbers (Kane, Likins, Levinson)", 0.01,
-                 {{"motion/free_flight.hpp", "(moments.transverse - moments.axial) / moments.axial",
+                 {{"mass/rigid_body.hpp", "(moments.transverse - moments.axial) / moments.axial",
                    "(moments.axial - moments.transverse) / moments.axial"},
                   {"motion/free_flight.hpp", "axial_momentum * (t * mobility.axial) / T(2)",
                    "axial_momentum * (t * mobility.axial)"},

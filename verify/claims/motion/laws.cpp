@@ -333,7 +333,7 @@ std::vector<Claim> motion_law_claims() {
           {{"motion/steppers.hpp", "std::numeric_limits<T>::epsilon() * size_of(start)",
             "std::numeric_limits<T>::epsilon()"},
            {"motion/steppers.hpp", "gain = dt * gravity_", "gain = gravity_"},
-           {"motion/free_flight.hpp", "moments.transverse - moments.axial) / moments.axial * precession",
+           {"mass/rigid_body.hpp", "moments.transverse - moments.axial) / moments.axial / moments.transverse",
             "moments.transverse - moments.axial) / moments.axial"}},
           measure_rescaling),
       law("MOTION-4", "A flight for t₁ and then t₂ is a flight for t₁ + t₂.", "free_flight", "the flight in one piece",
