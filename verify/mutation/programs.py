@@ -2,6 +2,8 @@
 
 import concurrent.futures
 import dataclasses
+import hashlib
+import json
 import os
 import pathlib
 import re
@@ -68,7 +70,7 @@ class Program:
         return {-signal.SIGPROF: "hang", -signal.SIGKILL: "hang"}.get(status, "killed" if 0 < status else "crash"), at
 
     def measure(self, unit):
-        """Runs a unit without a change: its time and places. Returns the places that have nothing to change, too."""
+        """Runs a unit without a change: its time, its places. Returns the places that have nothing to change."""
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "reached"
             status, _, seconds = self.start([unit], {"GOISHI_MUTANT_REACHED": str(file)}, None)
@@ -78,16 +80,29 @@ class Program:
         reached = dict(tuple(map(int, line.split())) for line in lines)
         unit.work, unit.seconds = int(work), seconds
         unit.places = frozenset(place for place, stages in reached.items() if stages)
-        return unit, frozenset(place for place, stages in reached.items() if not stages)
+        return [place for place, stages in reached.items() if not stages]
 
 
-def measured(programs, jobs):
-    """All units with their places, in the order in which they judge; and the places where nothing can be changed."""
-    units = [unit for program in programs for unit in program.units()]
-    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        done = list(pool.map(lambda unit: unit.program.measure(unit), units))
-    constant = frozenset().union(*(fixed for _, fixed in done)) - frozenset().union(*(u.places for u in units))
-    return sorted(units, key=lambda u: (KINDS.index(u.program.kind), u.order())), constant
+def measured(programs, jobs, cache=None):
+    """All units with their places, in the order in which they judge; and the places where nothing can be changed.
+    The file `cache` keeps what is known of programs that are the same to the last byte."""
+    known = json.loads(cache.read_text()) if cache and cache.exists() else {}
+    units, constant = [], set()
+    for program in programs:
+        content = hashlib.sha256(program.path.read_bytes()).hexdigest()
+        if known.get(program.path.name, [None])[0] != content:
+            mine = program.units()
+            with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+                fixed = list(pool.map(program.measure, mine))
+            rows = [[u.name, u.family, u.work, u.seconds, sorted(u.places), f] for u, f in zip(mine, fixed)]
+            known[program.path.name] = [content, rows]
+        for *unit, places, fixed in known[program.path.name][1]:
+            units.append(Unit(program, *unit, frozenset(places)))
+            constant.update(fixed)
+    if cache:
+        write_if_changed(cache, json.dumps(known).encode())
+    constant -= set().union(*(unit.places for unit in units))
+    return sorted(units, key=lambda unit: (KINDS.index(unit.program.kind), unit.order())), constant
 
 
 # --- building them

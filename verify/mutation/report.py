@@ -31,7 +31,8 @@ def rows_by_family(records):
 
 def lines_of(records, verdict):
     chosen = sorted((r for r in records if r["verdict"] == verdict), key=lambda r: (r["header"], r["line"], r["what"]))
-    return [f"src/goishi/{r['header']}:{r['line']}: {r['function']}: {r['what']}" for r in chosen]
+    return [f"src/goishi/{r['header']}:{r['line']}: {r['function']}: {r['what']}"
+            + (f" ({r['left']} dearer not asked)" if r["left"] else "") for r in chosen]
 
 
 def aligned(rows):
@@ -49,7 +50,7 @@ def text(records):
 
 
 def selection(head):
-    return {name: head[name] for name in ("filter", "sample", "seed")}
+    return {name: head[name] for name in ("filter", "sample", "seed", "work")}
 
 
 def rises(head, records, root):
@@ -74,7 +75,9 @@ def markdown(rows):
 def what_was_run(head, date):
     part = "all changes" if head["sample"] is None else f"{head['sample']} of the changes, drawn with seed {head['seed']}"
     where = "" if head["filter"] == "*" else f", of the headers `{head['filter']}`"
-    return f"{date.isoformat()}, commit {head['commit'][:10]}: {part}{where}."
+    asked = "" if head["work"] is None else (
+        f" Of what comes to a change, the cheapest are asked, until they pass {head['work']:g}·10⁹ places.")
+    return f"{date.isoformat()}, commit {head['commit'][:10]}: {part}{where}.{asked}"
 
 
 def replaced(document, name, text):

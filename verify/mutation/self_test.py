@@ -95,7 +95,7 @@ def swept(work, judges, mutants, shard, shards):
     """The file of a shard."""
     keys = sorted(m.key() for m in mutants)
     head = {"schema": 1, "commit": "toy", "source": results.digest("toy"), "filter": "*", "sample": None, "seed": 1,
-            "judges": list(programs.KINDS), "shard": [shard, shards], "changes": len(keys),
+            "judges": list(programs.KINDS), "work": None, "shard": [shard, shards], "changes": len(keys),
             "keys": results.digest("\n".join(keys))}
     here = [m for m in mutants if results.shard_of(m.key(), shards) == shard]
     out = work / f"{shard}-of-{shards}.jsonl"
@@ -215,6 +215,10 @@ def self_test():
         judges = sweep.Judges(*programs.measured(built, 2))
         head, records = results.merged([swept(work, judges, mutants, 1, 1)])
         wrong = [*check_verdicts(records), *check_shards(work, judges, mutants), *check_report(work, head, records)]
+        cheapest = sweep.Judges(judges.units, judges.constant, 1)
+        loose = next(m for m in mutants if m.function == "is_small" and m.what.endswith("<="))
+        if cheapest.verdict(loose) != ("survived", None, 1):
+            wrong.append(f"with the least work: {cheapest.verdict(loose)}")
         blind, count = sweep.blind(judges, mutants, 1, 10, 1)
         if blind.keys() != {"other"} or count != 2:
             wrong.append(f"the blind claim is not found: {blind}")

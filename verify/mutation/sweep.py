@@ -13,22 +13,33 @@ from mutation import results
 class Judges:
     """All units, by the places that they come to."""
 
-    def __init__(self, units, constant):
-        self.units, self.constant = units, constant
+    def __init__(self, units, constant, most_work=None):
+        self.units, self.constant, self.most_work = units, constant, most_work
 
     def reaching(self, mutant):
         return [unit for unit in self.units if mutant.code // 4 in unit.places]
 
+    def asked(self, mutant):
+        """Those that are asked: the cheapest, until they pass as many places as may be; and how many are left."""
+        units, work = self.reaching(mutant), 0
+        chosen = set()
+        for unit in sorted(units, key=lambda unit: unit.work):
+            work += unit.work
+            if self.most_work and work > self.most_work and chosen:
+                break
+            chosen.add(id(unit))
+        return [unit for unit in units if id(unit) in chosen], len(units) - len(chosen)
+
     def verdict(self, mutant):
-        """(verdict, the unit that notices)."""
-        units = self.reaching(mutant)
+        """(verdict, the unit that notices, how many were not asked)."""
+        units, left = self.asked(mutant)
         if not units:
-            return "none" if mutant.code // 4 in self.constant else "unreached", None
+            return "none" if mutant.code // 4 in self.constant else "unreached", None, 0
         for program, of_it in itertools.groupby(units, key=lambda unit: unit.program):
             verdict, by = program.judge(list(of_it), mutant.code)
             if by is not None:
-                return verdict, by
-        return "survived", None
+                return verdict, by, 0
+        return "survived", None, left
 
 
 class Sweep:
@@ -41,12 +52,12 @@ class Sweep:
         self.lock = threading.Lock()
 
     def record(self, mutant):
-        verdict, by = self.judges.verdict(mutant)
+        verdict, by, left = self.judges.verdict(mutant)
         if verdict == "survived" and mutant.key() in self.listed:
             verdict = "equivalent"
         return {"key": mutant.key(), "header": mutant.header, "line": mutant.line, "function": mutant.function,
                 "what": mutant.what, "formula": mutant.formula, "verdict": verdict,
-                "by": by.name if by else None, "family": by.family if by else None}
+                "by": by.name if by else None, "family": by.family if by else None, "left": left}
 
     def resumed(self):
         """What an earlier run of the same has done; a line that was cut short is done again."""
