@@ -77,7 +77,8 @@ def what_was_run(head, date):
     where = "" if head["filter"] == "*" else f", of the headers `{head['filter']}`"
     asked = "" if head["work"] is None else (
         f" Of what comes to a change, the cheapest are asked, until they pass {head['work']:g}·10⁹ places.")
-    return f"{date.isoformat()}, commit {head['commit'][:10]}: {part}{where}.{asked}"
+    commit = head["commit"][:10] + ("-dirty" if head["commit"].endswith("-dirty") else "")
+    return f"{date.isoformat()}, commit {commit}: {part}{where}.{asked}"
 
 
 def replaced(document, name, text):
