@@ -26,7 +26,8 @@ class Unit:
     places: frozenset = frozenset()
 
     def limit(self):
-        return max(1.0, 10 * self.seconds)
+        """Of the processor's time: far beyond what a change that only makes it slower takes."""
+        return max(3.0, 30 * self.seconds)
 
     def order(self):
         return (self.work.bit_length(), self.name)  # threads that pass a place at once count it once
