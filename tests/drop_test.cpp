@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "tests/allocations.hpp"
@@ -29,6 +31,16 @@ TEST(Drop, FlatStoneEndsAtTheSumOfItsBounces) {
   EXPECT_EQ(drop.events.front().kind, EventKind::start);
   EXPECT_EQ(drop.events.back().kind, EventKind::rest);
   EXPECT_EQ(count(drop, EventKind::bounces_close), 1);
+  // The impulses of all bounces, and gravity while they last, take the velocity away.
+  const auto close = std::ranges::find(drop.events, EventKind::bounces_close, &Event<double>::kind);
+  ASSERT_NE(close, drop.events.end());
+  const double lasts = close->time - std::prev(close)->time, gain = close->impulse_W.z() / thrown.body.mass;
+  const double v = close->before.v_WB.z();
+  EXPECT_NEAR(lasts, 4.0 * v / 9.80665, 1e-15);  // 2 v/(g (1 − e)), with e = 1/2
+  EXPECT_NEAR(v + gain - 9.80665 * lasts, 0.0, 1e-14);
+  EXPECT_EQ(close->impulse_W.head<2>().norm() + close->after.v_WB.norm(), 0.0);
+  EXPECT_EQ(close->normal_W, Vec3<double>(0.0, 0.0, 1.0));
+  EXPECT_NEAR(close->contact_W.z(), 0.0, 1e-15);
   EXPECT_EQ(drop.counters.steps_accepted, 0);  // no contact phase where nothing turns
   EXPECT_NEAR(drop.state.p_WB.z(), 0.0046, 1e-15);
   EXPECT_EQ(drop.ground, Ground::board);

@@ -132,6 +132,12 @@ TEST(BadImpactBody, Mobility) {
     expect_invalid("transverse", [&] { (void)make_mobility(1.0, Moments<double>{.axial = 1.0, .transverse = bad}); });
   }
   expect_invalid("axial", [&] { (void)make_mobility(1.0, Moments<double>{.axial = 2.001, .transverse = 1.0}); });
+  // Whose inverses are no normal numbers.
+  for (const double bad : {1e-320, 1.7e308}) {
+    expect_invalid("mass", [&] { (void)make_mobility(bad, moments); });
+  }
+  expect_invalid("transverse", [&] { (void)make_mobility(1.0, Moments<double>{.axial = 1.0, .transverse = 6e307}); });
+  expect_invalid("axial", [&] { (void)make_mobility(1.0, Moments<double>{.axial = 6e307, .transverse = 4e307}); });
 }
 
 }  // namespace

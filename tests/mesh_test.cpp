@@ -48,6 +48,19 @@ TEST(Mesh, LevelZeroIsTwoPentagons) {
   EXPECT_EQ(unwelded(mesh).points.size(), 30U);
 }
 
+TEST(Mesh, UnweldedHasTheSameTriangles) {
+  const Mesh<double> mesh = tessellate(bevelled(), Tessellation::subdivision, 1), apart = unwelded(mesh);
+  ASSERT_EQ(apart.triangles.size(), mesh.triangles.size());
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t corner = mesh.triangles[i][k], own = apart.triangles[i][k];
+      EXPECT_EQ(own, 3 * i + k);
+      EXPECT_EQ(apart.points[own], mesh.points[corner]);
+      EXPECT_EQ(apart.normals[own], mesh.normals[corner]);
+    }
+  }
+}
+
 TEST(Mesh, ALevelTakesFourTimesTheTriangles) {
   for (int level = 0; level <= 6; ++level) {
     const std::size_t n = std::size_t{1} << level;

@@ -37,7 +37,6 @@ struct Sample {
                       family,
                       "an oracle",
                       {{.unit = "ulp", .bound = bound, .reason = "derived from six roundings", .resolution = 1.0}},
-                      {{"mass/volume.hpp", "a + b", "a - b"}},
                       {}});
     Result result;
     result.claim = &claims.back();
@@ -74,7 +73,6 @@ inline void fill(Sample& sample) {
                            nasty,
                            {{.name = nasty, .unit = nasty, .bound = 4, .reason = nasty, .resolution = 1},
                             {.name = "other", .unit = "", .bound = 0, .reason = "none", .counts = true}},
-                           {{nasty, nasty, nasty}, {"x", "y", ""}},
                            {}});
   Result hostile = sample.run.results.front();
   hostile.claim = &sample.claims.back();

@@ -201,14 +201,18 @@ TEST(ReportHtml, ShowsEverything) {
   }
   for (const char* part :
        {"a processor, 2 threads", "a system", "0123456789abcdef-dirty", "2025-05-04T10:11:12Z", "18446744073709551615",
-        "12.3 s", "derived from six roundings", "brute force", "1.8505405 cm³", "<del>a + b</del>", "<ins>a - b</ins>",
-        "12\u202F345", "not a number", "data-series=\"sharp\" data-points=\"3\"", "&lt;&amp;&gt;&quot;&#39;"}) {
+        "12.3 s", "derived from six roundings", "brute force", "1.8505405 cm³", "12\u202F345", "not a number",
+        "data-series=\"sharp\" data-points=\"3\"", "&lt;&amp;&gt;&quot;&#39;"}) {
     EXPECT_TRUE(contains(text, part)) << part;
   }
   EXPECT_FALSE(contains(text, "derivations"));
-  EXPECT_TRUE(contains(html_report(sample.run, {}, "the derivations.html"), "<a href=\"the derivations.html\">"));
+  EXPECT_TRUE(contains(html_report(sample.run, {}, {.derivations = "the derivations.html"}),
+                       "<a href=\"the derivations.html\">"));
   EXPECT_FALSE(contains(text, "in a browser"));
-  EXPECT_TRUE(contains(html_report(sample.run, {}, "", "../page & more.html"), "<a href=\"../page &amp; more.html\">"));
+  EXPECT_TRUE(contains(html_report(sample.run, {}, {.in_browser = "../page & more.html"}),
+                       "<a href=\"../page &amp; more.html\">"));
+  EXPECT_FALSE(contains(text, "what the suite catches"));
+  EXPECT_TRUE(contains(html_report(sample.run, {}, {.changes = "mutants.html"}), "<a href=\"mutants.html\">"));
   EXPECT_FALSE(contains(text, "<script"));
   EXPECT_FALSE(contains(text, " src="));
   EXPECT_FALSE(contains(text, "url("));
@@ -223,7 +227,8 @@ TEST(ReportSample, IsWritten) {
   fs::create_directories(folder);
   Sample sample;
   fill(sample);
-  write_file(folder / "report.html", html_report(sample.run, {}, "derivations.html"));
+  write_file(folder / "report.html",
+             html_report(sample.run, {}, {.derivations = "derivations.html", .changes = "mutants.html"}));
   write_file(folder / "junit.xml", junit_report(sample.run));
   write_file(folder / "empty.html", html_report(Sample().run));
   write_file(folder / "empty.xml", junit_report(Sample().run));

@@ -329,6 +329,13 @@ TEST(ImpactBadInput, IsRefused) {
     expect_refused("horizon", good, horizon);
   }
   expect_refused("position", {}, 1.0);
+  // What no factory has made.
+  expect_invalid("stone", [&] { (void)time_of_impact(Stone<double>{}, good, Plane<double>{}, 1.0); });
+  expect_invalid("stone", [&] { (void)time_of_impact(Stone<double>{}, good, board(), 1.0); });
+  expect_invalid("stone", [&] { (void)time_of_impact(Stone<double>{}, good, sharp(), good, 1.0); });
+  Board<double> flat = board();
+  flat.half_width = 0.0;
+  expect_invalid("board", [&] { (void)time_of_impact(sharp(), good, flat, 1.0); });
   with_each_bad_direction([&](const Vec3<double>& bad) {
     expect_invalid("normal", [&] { (void)time_of_impact(sharp(), good, Plane<double>{.n_W = bad}, 1.0); });
   });

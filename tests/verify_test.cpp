@@ -27,7 +27,6 @@ Claim claim_with(double bound, double resolution = 0.0) {
           .family = OracleFamily::exact,
           .oracle = "none",
           .checks = {{.unit = "ulp", .bound = bound, .reason = "none", .resolution = resolution}},
-          .mutants = {},
           .measure = {}};
 }
 

@@ -6,10 +6,8 @@
 
 #include "compiled/drop.hpp"
 
-#ifndef GOISHI_DROP_IN_EVERY_FILE
 namespace goishi {
 
 extern template class Scene<double>;
 
 }  // namespace goishi
-#endif

@@ -36,14 +36,13 @@ constexpr std::string_view foot = "</main>\n</body>\n</html>\n";
 
 }  // namespace
 
-std::string html_report(const Run& run, const std::vector<Section>& sections, const std::string& derivations,
-                        const std::string& browser_page) {
+std::string html_report(const Run& run, const std::vector<Section>& sections, const Pages& pages) {
   const bool good = run.failures() == 0 && !run.results.empty();
   const std::string verdict = xml(verdict_line(run));
   std::string out = head(verdict);
   out += fmt::format("<p class=\"verdict {}\">{} {}</p>\n", good ? "good" : "bad", page::mark(good), verdict);
   out += page::failures(run) + page::stamp(run.stamp, run.seconds, page::Seed::shown) + "</header>\n<main>\n" +
-         page::how_to_read(run, derivations, browser_page) + page::overview(run);
+         page::how_to_read(run, pages) + page::overview(run);
   for (const Section& section : sections) {
     out += page::section(section);
   }

@@ -30,7 +30,7 @@ enum class Seed { shown, hidden };
 [[nodiscard]] std::string stamp(const Stamp& stamp, double seconds, Seed seed);
 [[nodiscard]] std::string failures(const Run& run);
 /// With links to the symbolic proofs and to the page in a browser, each unless its address is empty.
-[[nodiscard]] std::string how_to_read(const Run& run, const std::string& derivations, const std::string& browser_page);
+[[nodiscard]] std::string how_to_read(const Run& run, const Pages& pages);
 [[nodiscard]] std::string overview(const Run& run);
 [[nodiscard]] std::string details(const Run& run);
 [[nodiscard]] std::string section(const Section& section);

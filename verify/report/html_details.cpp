@@ -82,23 +82,6 @@ std::string plots(const Measurement& measurement) {
   return out.empty() ? "" : "<div class=\"plots\">\n" + out + "</div>\n";
 }
 
-std::string mutants(const Claim& claim) {
-  if (claim.mutants.empty()) {
-    return "";
-  }
-  std::string out =
-      "<table class=\"mutants\">\n<caption>Wrong changes to the source that this claim is known to "
-      "catch</caption>\n<tbody>\n";
-  for (const Mutant& mutant : claim.mutants) {
-    out += fmt::format(
-        "<tr><th scope=\"row\"><code>{}</code></th><td><code><del>{}</del></code> "
-        "<span class=\"arrow\">→</span> {}</td></tr>\n",
-        xml(mutant.file), xml(mutant.from),
-        mutant.to.empty() ? "<i>removed</i>" : fmt::format("<code><ins>{}</ins></code>", xml(mutant.to)));
-  }
-  return out + "</tbody>\n</table>\n";
-}
-
 std::string detail(const Result& result) {
   const Claim& claim = *result.claim;
   return fmt::format(
@@ -106,8 +89,7 @@ std::string detail(const Result& result) {
              "<a class=\"up\" href=\"#overview\">overview</a></h3>\n"
              "<p class=\"statement\">{3}</p>\n",
              anchor(claim.id), mark(result.verdict.holds), xml(claim.id), xml(claim.statement)) +
-         facts(result) + checks(result) + figures(result.measurement) + plots(result.measurement) + mutants(claim) +
-         "</article>\n";
+         facts(result) + checks(result) + figures(result.measurement) + plots(result.measurement) + "</article>\n";
 }
 
 }  // namespace

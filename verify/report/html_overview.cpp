@@ -72,17 +72,16 @@ std::string failures(const Run& run) {
   return out + "</ul>\n";
 }
 
-std::string how_to_read(const Run& run, const std::string& derivations, const std::string& browser_page) {
-  const std::string proofs = derivations.empty()
-                                 ? ""
-                                 : fmt::format(
-                                       "\n<p>The claims measure. That the formulas are right for all values is proved: "
-                                       "<a href=\"{}\">the derivations</a>.</p>",
-                                       xml(derivations));
-  const std::string seen =
-      browser_page.empty()
-          ? ""
-          : fmt::format("\n<p>To see it move: <a href=\"{}\">the library in a browser</a>.</p>", xml(browser_page));
+std::string how_to_read(const Run& run, const Pages& pages) {
+  const auto paragraph = [](const std::string& address, std::string_view before, std::string_view name) {
+    return address.empty() ? "" : fmt::format("\n<p>{} <a href=\"{}\">{}</a>.</p>", before, xml(address), name);
+  };
+  const std::string others =
+      paragraph(pages.derivations,
+                "The claims measure. That the formulas are right for all values is proved:", "the derivations") +
+      paragraph(pages.changes,
+                "The library was changed, one place at a time, to see who notices:", "what the suite catches") +
+      paragraph(pages.in_browser, "To see it move:", "the library in a browser");
   const auto of_family = [&run](OracleFamily family) {
     return std::ranges::count_if(run.results,
                                  [family](const Result& result) { return result.claim->family == family; });
@@ -100,7 +99,7 @@ std::string how_to_read(const Run& run, const std::string& derivations, const st
       "unless it says that it counts. A claim of several checks holds if each does, and is shown by its weakest, the "
       "one whose error comes nearest to its bound. The bar shows the slack from 1 to {0} on a logarithmic scale. Each "
       "id leads to the details.</p>{1}\n</section>\n",
-      plain_number(greatest_slack), proofs + seen, of_family(OracleFamily::rounding), run.results.size(),
+      plain_number(greatest_slack), others, of_family(OracleFamily::rounding), run.results.size(),
       of_family(OracleFamily::relation));
 }
 

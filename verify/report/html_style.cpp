@@ -84,10 +84,6 @@ h4 { margin: 1rem 0 0.3rem; font-size: 0.9375rem; }
   vertical-align: baseline; font-weight: 400; }
 .claim tbody th { padding-right: 1.5rem; }
 .figures td { font-variant-numeric: tabular-nums; }
-.mutants th { color: var(--soft); }
-del { text-decoration: none; }
-ins { color: var(--bad); text-decoration: none; }
-.arrow { color: var(--soft); padding: 0 0.3em; }
 .plots { display: flex; flex-wrap: wrap; gap: 1rem; margin-top: 1rem; }
 figure { margin: 0 0 0 -10px; max-width: 100%; }
 .plot { display: block; max-width: 100%; height: auto; }

@@ -131,13 +131,6 @@ void write_result(Json& json, const Result& result) {
       });
     });
     json.array("plots", measurement.plots, [&](const Plot& plot) { write_plot(json, plot); });
-    json.array("mutants", claim.mutants, [&](const Mutant& mutant) {
-      json.object([&] {
-        json.member("file", mutant.file);
-        json.member("from", mutant.from);
-        json.member("to", mutant.to);
-      });
-    });
   });
 }
 

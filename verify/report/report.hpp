@@ -40,11 +40,17 @@ struct Section {
   std::vector<Section> parts;
 };
 
+/// Addresses of other pages; empty where there is none to lead to.
+struct Pages {
+  std::string derivations = {};  // the symbolic proofs
+  std::string in_browser = {};   // the library in a browser
+  std::string changes = {};      // what the suite catches, by verify/mutants
+};
+
 /// One self-contained page (polyglot XHTML5, inline SVG and CSS, no script needed). Sections stand between the overview
-/// and the details. `derivations` is the address of the page with the symbolic proofs, `browser_page` that of the library
-/// in a browser, if there is one to lead to.
+/// and the details.
 [[nodiscard]] std::string html_report(const Run& run, const std::vector<Section>& sections = {},
-                                      const std::string& derivations = {}, const std::string& browser_page = {});
+                                      const Pages& pages = {});
 
 /// A page of one section alone, with the same stamp and style.
 [[nodiscard]] std::string html_page(const Section& section, const Stamp& stamp, double seconds);

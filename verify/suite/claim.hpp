@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// What a claim is: a sentence about a production function, an oracle, a measured error, a bound
-/// with its reason, and the wrong changes to the source that it is known to catch.
+/// What a claim is: a sentence about a production function, an oracle, a measured error, and a bound with its reason.
 
 #include <cstddef>
 #include <cstdint>
@@ -36,13 +35,6 @@ enum class OracleFamily {
 /// quick: seconds, on every build. full: more samples, and the claims that are dear.
 enum class Tier { quick, full };
 [[nodiscard]] std::string_view to_string(Tier tier);
-
-/// A small wrong change to a production file that the claim must notice: the first occurrence of `from` becomes `to`.
-struct Mutant {
-  std::string file;  // below src/goishi, as "mass/volume.hpp"
-  std::string from;
-  std::string to;
-};
 
 /// How a curve of a plot looks: in a colour of its own; thin, grey and dashed, for what is not ours; its points as stars.
 enum class Look { usual, foreign, star };
@@ -130,7 +122,6 @@ struct Claim {
   OracleFamily family;
   std::string oracle;  // the witness, in a phrase
   std::vector<Check> checks;
-  std::vector<Mutant> mutants;
   std::function<Measurement(Context&)> measure;
   std::string source = {};  // its file below verify/, as "claims/mass/gsl.cpp", set by `all_claims`
 

@@ -35,7 +35,6 @@ constexpr int bad_usage = 2;
 
 struct Options {
   bool list = false;
-  bool mutants = false;
   std::string filter = "*";
   std::string tier = "quick";
   std::uint64_t seed = 1;
@@ -52,9 +51,6 @@ struct Options {
 void define(CLI::App& app, Options& options) {
   app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   app.add_flag("--list", options.list, "list the claims, and measure nothing");
-  app.add_flag("--mutants", options.mutants,
-               "list the wrong changes to the source that each claim must catch: claim, its source, file, from, to, "
-               "separated by tabs");
   app.add_option("--filter", options.filter,
                  "only claims whose id matches: * and ? as in a shell, several separated by commas")
       ->type_name("GLOB");
@@ -89,7 +85,7 @@ void define(CLI::App& app, Options& options) {
       ->excludes(write)
       ->type_name("DIR");
   for (const char* const one :
-       {"--list", "--mutants", "--seed", "--report", "--json", "--junit", "--write-tables", "--check-tables"}) {
+       {"--list", "--seed", "--report", "--json", "--junit", "--write-tables", "--check-tables"}) {
     app.get_option("--seeds")->excludes(app.get_option(one));  // they are of one run
   }
   app.footer(
@@ -100,14 +96,6 @@ void define(CLI::App& app, Options& options) {
 void list(const std::vector<Claim>& claims) {
   for (const Claim& claim : claims) {
     fmt::print("{:19} {:10} {}\n", claim.id, claim.subject(), claim.statement);
-  }
-}
-
-void list_mutants(const std::vector<Claim>& claims) {
-  for (const Claim& claim : claims) {
-    for (const Mutant& mutant : claim.mutants) {
-      fmt::print("{}\t{}\t{}\t{}\t{}\n", claim.id, claim.source, mutant.file, mutant.from, mutant.to);
-    }
   }
 }
 
@@ -179,12 +167,14 @@ void write_report(const Run& run, const std::filesystem::path& folder, bool with
     write_file(folder / bench::csv_name, bench::csv_report(measured));
   }
   sections.push_back(bits::page_section(run));
-  const std::string derivations = "derivations.html";  // derivations/document writes it
-  const std::string page = "../web/goishi.html";       // src/web/build writes it
   const auto if_there = [&folder](const std::string& file) {
     return std::filesystem::exists(folder / file) ? file : "";
   };
-  write_file(folder / "report.html", html_report(run, sections, if_there(derivations), if_there(page)));
+  write_file(folder / "report.html",
+             html_report(run, sections,
+                         {.derivations = if_there("derivations.html"),   // by derivations/document
+                          .in_browser = if_there("../web/goishi.html"),  // by src/web/build
+                          .changes = if_there("mutants.html")}));        // by verify/mutants
   write_file(folder / "report.json", json_report(run));
   write_file(folder / "junit.xml", junit_report(run));
 }
@@ -242,10 +232,6 @@ int verify(const Options& options) {
   }
   if (options.list) {
     list(claims);
-    return all_hold;
-  }
-  if (options.mutants) {
-    list_mutants(claims);
     return all_hold;
   }
   require_folders(options);

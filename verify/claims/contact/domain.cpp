@@ -302,7 +302,7 @@ std::vector<Claim> domain_contact_claims() {
     return within(name, bound, "ε of float or double, of widths and distances", reason, 0.25);
   };
   const auto claim = [](const char* id, const char* statement, const char* oracle, OracleFamily family,
-                        std::vector<Check> checks, std::vector<Mutant> mutants, auto see, int quick, int full) {
+                        std::vector<Check> checks, auto see, int quick, int full) {
     checks.push_back(none("faults", "faults"));
     return Claim{.id = id,
                  .statement = statement,
@@ -310,7 +310,6 @@ std::vector<Claim> domain_contact_claims() {
                  .family = family,
                  .oracle = oracle,
                  .checks = std::move(checks),
-                 .mutants = std::move(mutants),
                  .measure = [see, quick, full](Context& context) {
                    Checks seen;
                    see(context, seen, context.samples(quick, full), float());
@@ -326,8 +325,6 @@ std::vector<Claim> domain_contact_claims() {
           "the same scene at its usual size; the factor is a power of two", OracleFamily::relation,
           {in_epsilon("gap", 2.0, "a search in another world of another size rounds as it does in this one"),
            within("time", 1.0, "ε of float or double, of the horizon", "the same", 0.25)},
-          {{"contact/stone_stone.hpp", "return PairSizes<T>::hold(pair.scale) ?", "return true ?"},
-           {"contact/contact.hpp", "formula::dot(v, v) < least_square<T>", "false"}},
           [](Context& c, Checks& checks, int count, auto t) { see_magnitudes<decltype(t)>(c, checks, count); }, 1500,
           20000),
       claim(
@@ -335,7 +332,6 @@ std::vector<Claim> domain_contact_claims() {
           "From up to 1e150 away, 1e18 in float, a gap is the distance of the centre less what the stones reach.",
           "the distances of points", OracleFamily::exact,
           {in_epsilon("gap", 6.0, "the roundings of the place, of a product and of sums")},
-          {{"contact/contact.hpp", "result.gap / factor", "result.gap"}},
           [](Context& c, Checks& checks, int count, auto t) { see_far<decltype(t)>(c, checks, count); }, 2000, 20000),
       claim(
           "DOMAIN-CONTACT-3",
@@ -348,7 +344,6 @@ std::vector<Claim> domain_contact_claims() {
                   "else up to 8.5",
                   5.0),
            in_epsilon("surface gap", 4.0, "beyond what |q|² − 1 is of the width: it is taken as it is")},
-          {{"contact/contact.hpp", ".u_W = symmetry_axis(pose.q_WB)", ".u_W = formula::symmetry_axis(pose.q_WB)"}},
           [](Context& c, Checks& checks, int count, auto t) { see_attitudes<decltype(t)>(c, checks, count); }, 2000,
           20000),
       claim(
@@ -358,12 +353,11 @@ std::vector<Claim> domain_contact_claims() {
            in_epsilon("pair", 150.0,
                       "of two stones more, where cores all but touch; measured 2026-11-30: 8.1 with 13 seeds, 50 in "
                       "the full tier")},
-          {}, [](Context& c, Checks& checks, int count, auto t) { see_rounding<decltype(t)>(c, checks, count); }, 1000,
+          [](Context& c, Checks& checks, int count, auto t) { see_rounding<decltype(t)>(c, checks, count); }, 1000,
           10000),
       claim(
           "DOMAIN-CONTACT-5", "Stones of denormal numbers are refused; places of denormal numbers are zeros.",
           "the same scene with zeros", OracleFamily::relation, {in_epsilon("gap", 2.0, "the roundings of a search")},
-          {{"contact/contact.hpp", "length < T(1) ? larger : smaller", "smaller"}},
           [](Context& c, Checks& checks, int count, auto t) { see_denormals<decltype(t)>(c, checks, count); }, 1000,
           10000),
       claim(
@@ -372,7 +366,6 @@ std::vector<Claim> domain_contact_claims() {
           "the parabola of the centre in long double", OracleFamily::exact,
           {in_epsilon("before", 2.0, "the round-off of the parabola at the time"),
            in_epsilon("hit", 32.0, "the round-off of the parabola at the time")},
-          {{"contact/gap_along.hpp", "r * scalar::sq(path.rate) < most", "true"}},
           [](Context& c, Checks& checks, int count, auto t) { see_flights<decltype(t)>(c, checks, count); }, 4000,
           40000),
   };

@@ -196,12 +196,6 @@ std::vector<Claim> contact_law_claims() {
                          "the same, its axes exchanged; measured 2026-11-30 with 13 seeds: up to 3.7e-16", epsilon),
                   within("pair", 4e-15, "of width, distance and the sphere's radius together",
                          "the same; measured 2026-11-30 with 13 seeds: up to 5.6e-16", epsilon)},
-       .mutants = {{"contact/stone_board.hpp", "T(sign_x * found.n.x())", "found.n.x()"},
-                   {"contact/stone_plane.hpp", "plane.n_W, plane.offset);", "plane.n_W, T(0));"},
-                   {"contact/pair.hpp", "between(formula::minus(one.p_W, other.p_W))", "between(one.p_W)"},
-                   {"shape/surface.hpp",
-                    "n.radial_square * scalar::sq(stone.joint_sine) <= scalar::sq(T(n.axial * stone.joint_cosine))",
-                    "n.radial_square * scalar::sq(stone.joint_cosine) <= scalar::sq(T(n.axial * stone.joint_sine))"}},
        .measure = measure_motions},
       {.id = "CONTACT-9",
        .statement = "A million poses: no NaN, no exception; status, gap, normal and points agree; at the board all are "
@@ -213,8 +207,6 @@ std::vector<Claim> contact_law_claims() {
        .checks = {within("gap", 5e-15, "of width, distance and the sphere's radius together",
                          "the points are rounded; measured 2026-11-30 with 13 seeds: up to 1.1e-15", epsilon),
                   none("defects", "faults")},
-       .mutants = {{"contact/contact.hpp", "!(T(0) < size2)", "false"},
-                   {"contact/contact.hpp", "T(z - gap * nz)", "T(z + gap * nz)"}},
        .measure = measure_million},
   };
 }

@@ -128,12 +128,6 @@ std::vector<Claim> contact_pair_claims() {
                          "two gaps, and the place between them; measured 2026-11-30 with 14 seeds: up to 6.7e-16",
                          epsilon),
                   none("faults", "faults")},
-       .mutants = {{"contact/pair_closed.hpp", "meets_with_cap(pair.second, sign2, caps, caps2)", "true"},
-                   {"contact/pair_closed.hpp", "meets_with_rim(pair.second, rim2, rim2_2)", "true"},
-                   {"contact/stone_stone.hpp", "result.gap = formula::dot(pair.between, n) -",
-                    "result.gap = T(1001) / T(1000) * formula::dot(pair.between, n) -"},
-                   {"contact/stone_stone.hpp", "result.p_other = formula::plus(second.p_W, on_second.x_W);",
-                    "result.p_other = formula::minus(second.p_W, on_second.x_W);"}},
        .measure = [](Context& context) { return measure_pairs(context, false, context.samples(1500, 12000)); }},
       {.id = "CONTACT-5",
        .statement =
@@ -160,12 +154,6 @@ std::vector<Claim> contact_pair_claims() {
                          "two gaps, and the place between them; measured 2026-11-30 with 14 seeds: up to 3.2e-16",
                          epsilon),
                   none("faults", "faults")},
-       .mutants = {{"contact/stone_stone.hpp", "try_caps(pair, best);", ""},
-                   {"contact/pair_closed.hpp", "try_normal(from_rim(from_first, pair.second));", ""},
-                   {"contact/pair_closed.hpp", "for (const T& sign : {T(1), T(-1)}) {",
-                    "for (const T& sign : {T(1)}) {"},
-                   {"contact/rim_rim.hpp", "take(minimum(low, high));", ""},
-                   {"contact/rim_rim.hpp", "const T ratio = c1_ / least_rho;", "const T ratio(0);"}},
        .measure = [](Context& context) { return measure_pairs(context, true, context.samples(1500, 12000)); }},
   };
 }

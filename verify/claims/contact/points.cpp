@@ -221,11 +221,6 @@ std::vector<Claim> contact_point_claims() {
        .checks = {within("", 2e-15, "of the greater of width and distance, plus the sphere's radius",
                          "the axis, 2 ulp, turns the point about the sphere's centre; then as CONTACT-1",
                          epsilon / 4.0)},
-       .mutants = {{"contact/contact.hpp", "along = scalar::signed_as(height, axial);", "along = height;"},
-                   {"contact/contact.hpp", "const T x = px - (across", "const T x = px + (across"},
-                   {"contact/stone_plane.hpp", "cap ? scalar::signed_as(stone.sphere_offset, T(placed.u_W.z()))",
-                    "cap ? stone.sphere_offset"},
-                   {"contact/stone_plane.hpp", "y = placed.p_W.y() + r.y();", "y = placed.p_W.y() - r.y();"}},
        .measure = measure_plane_points},
       {.id = "CONTACT-7",
        .statement =
@@ -243,13 +238,6 @@ std::vector<Claim> contact_point_claims() {
                          "they are those that the given normal meets, to the roundings of its parts; measured "
                          "2026-11-30 with 11 seeds: up to 4.6e-15",
                          epsilon)},
-       .mutants = {{"shape/surface.hpp", "return stone.bevel_major_radius / radial + stone.bevel_minor_radius;",
-                    "return stone.bevel_major_radius / radial - stone.bevel_minor_radius;"},
-                   {"contact/arc.hpp",
-                    "value + ring * scalar::sq(u_out) / view.radial_square + stone.bevel_minor_radius",
-                    "value + ring / view.radial_square + stone.bevel_minor_radius"},
-                   {"contact/pair.hpp", "T(16) * std::numeric_limits<T>::epsilon()",
-                    "T(16000000000) * std::numeric_limits<T>::epsilon()"}},
        .measure = measure_points},
   };
 }

@@ -161,14 +161,6 @@ std::vector<Claim> contact_claims() {
                    .reason =
                        "the product n · p has three roundings of the distance, the difference two, the axis 2 ulp",
                    .resolution = epsilon / 4.0}},
-       .mutants = {{"contact/contact.hpp", "nz * pz) - offset - support;", "nz * pz) - support;"},
-                   {"contact/contact.hpp", "const T square = rx * rx + ry * ry + rz * rz;",
-                    "const T square = rx * rx + ry * ry;"},
-                   {"contact/contact.hpp", "const T square = formula::dot(seen.radial_part, seen.radial_part);",
-                    "const T square = scalar::sqrt(dot(seen.radial_part, seen.radial_part));"},
-                   {"contact/stone_plane.hpp", "placed.p_W.z() - level - support", "placed.p_W.z() - support"},
-                   {"contact/stone_plane.hpp", "return height - formula::rim_support(stone, radial);",
-                    "return height - formula::rim_support(stone, height);"}},
        .measure = measure_plane_gap},
       {.id = "CONTACT-2",
        .statement =
@@ -184,16 +176,6 @@ std::vector<Claim> contact_claims() {
                   within("better normal", 2.5e-14, "of the width",
                          "the same, one-sided; measured 2026-11-30 with 23 seeds: up to 5.0e-15", epsilon),
                   none("search", "faults")},
-       .mutants = {{"contact/octant.hpp", "search_edge(2, 1, best);", ""},
-                   {"contact/octant.hpp", "search_corner(best);", ""},
-                   {"contact/octant.hpp", "search_edge(0, 1, best);", ""},
-                   {"contact/stone_board.hpp", "needs.side_x && needs_side(x.far, reach, gap)", "false"},
-                   {"contact/stone_board.hpp", "distance < reach || (gap < T(0) && distance < reach - gap)",
-                    "distance < reach"},
-                   {"contact/stone_board.hpp", "gap = surface < side ? side : surface;", "gap = T(0);"},
-                   {"contact/arc_search.hpp", "rim < stone_.sphere_radius ? rim : stone_.sphere_radius",
-                    "stone_.sphere_radius"},
-                   {"contact/arc.hpp", "stone.core_sphere_radius < reach", "T(0) < reach"}},
        .measure = measure_board_gap},
       {.id = "CONTACT-3",
        .statement =
@@ -220,11 +202,6 @@ std::vector<Claim> contact_claims() {
                    "seeds: up to 1.9e-14",
                    epsilon),
             none("faults", "faults")},
-       .mutants = {{"contact/contact.hpp", "T(z - gap * nz)", "z"},
-                   {"contact/contact.hpp", "result.gap < T(0) ? SeparationStatus::overlapping",
-                    "T(0) < result.gap ? SeparationStatus::overlapping"},
-                   {"contact/stone_board.hpp", "Octant<T>(placed.stone, p, u)",
-                    "Octant<T>(placed.stone, placed.p_W, u)"}},
        .measure = measure_certificate},
   };
 }

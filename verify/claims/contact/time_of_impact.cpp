@@ -203,9 +203,6 @@ std::vector<Claim> time_of_impact_claims() {
                          "2026-11-30 with 23 seeds: up to 1.7e-15",
                          epsilon),
                   none("status", "faults")},
-       .mutants = {{"contact/gap_along.hpp", "T(2) * height / (root - rate)", "T(3) * height / (root - rate)"},
-                   {"contact/gap_along.hpp", "t + falling_time(over,", "t + T(2) * falling_time(over,"},
-                   {"contact/gap_along.hpp", "c0 + t * (c1 + t * c2 / T(2))", "c0 + t * (c1 + t * c2)"}},
        .measure = measure_drops},
       {.id = "TOI-2",
        .statement =
@@ -221,11 +218,6 @@ std::vector<Claim> time_of_impact_claims() {
                   within("gap at the time", 1e-14, "of width, height and the angle turned times the width",
                          "the same; measured 2026-11-30 with 23 seeds: up to 1.8e-15", epsilon),
                   none("faults", "faults")},
-       .mutants = {{"contact/gap_along.hpp", "formula::greatest_bend(part.stone->sphere_offset",
-                    "formula::greatest_bend<T>(part.stone->sphere_offset / T(8)"},
-                   {"contact/gap_along.hpp", "const T least = scalar::abs(part.A) - swing;",
-                    "const T least = scalar::abs(part.A) + swing;"},
-                   {"contact/gap_along.hpp", "if (!(t <= horizon)", "if (!(t <= T(2) * horizon)"}},
        .measure = measure_plane_time},
       {.id = "TOI-3",
        .statement =
@@ -237,10 +229,6 @@ std::vector<Claim> time_of_impact_claims() {
        .checks = {within("time", 1e-15, "relative, or of the time in which the speed goes half the height",
                          "the roundings of 2v/g; measured 2026-11-30 with 23 seeds: up to 2.2e-16", epsilon),
                   none("status", "faults")},
-       .mutants = {{"contact/gap_along.hpp", "now.gap <= gap && now.rate <= rate", "now.gap <= gap"},
-                   {"contact/gap_along.hpp", "(rate + root) / -c", "T(2) * (rate + root) / -c"},
-                   {"contact/time_of_impact.hpp", "result.contact.gap < -nothing.gap && result.separations == 1",
-                    "result.contact.gap < -nothing.gap && result.separations == 0"}},
        .measure = measure_starts},
   };
 }

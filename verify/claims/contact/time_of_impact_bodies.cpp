@@ -140,9 +140,6 @@ std::vector<Claim> time_of_impact_body_claims() {
                          "with 23 seeds: up to 5.3e-15",
                          epsilon),
                   none("faults", "faults")},
-       .mutants = {{"contact/time_of_impact.hpp", "detail::reach_of(board, contact.n_W)", "T(0)"},
-                   {"contact/gap_along.hpp", "formula::greatest_bend(part.stone->sphere_offset",
-                    "formula::greatest_bend<T>(part.stone->sphere_offset / T(8)"}},
        .measure = measure_board_time},
       {.id = "TOI-5",
        .statement =
@@ -160,9 +157,6 @@ std::vector<Claim> time_of_impact_body_claims() {
                          "2026-11-30 with 23 seeds: up to 2.3e-14",
                          epsilon),
                   none("faults", "faults")},
-       .mutants = {{"contact/time_of_impact.hpp", "gap.add(formula::wobble(other, other_path, n));", ""},
-                   {"contact/time_of_impact.hpp", "formula::dot(n, formula::minus(path.v_W, other_path.v_W))",
-                    "formula::dot(n, path.v_W)"}},
        .measure = measure_pair},
   };
 }

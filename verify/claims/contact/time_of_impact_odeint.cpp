@@ -154,11 +154,6 @@ std::vector<Claim> time_of_impact_odeint_claims() {
                          "measured 2026-11-30 with 24 seeds: up to 1.1e-14",
                          epsilon),
                   none("faults", "faults")},
-       .mutants = {{"motion/flight_path.hpp", "formula::combination(turn.cos", "formula::combination(T(-turn.cos)"},
-                   {"contact/gap_along.hpp", "formula::dot(formula::cross(path.k_W, path.u_W), n),",
-                    "formula::dot(formula::cross(path.u_W, path.k_W), n),"},
-                   {"contact/time_of_impact.hpp", "formula::dot(n, formula::minus(path.a_W, other_path.a_W))",
-                    "formula::dot(n, path.a_W)"}},
        .measure = measure_events},
   };
 }

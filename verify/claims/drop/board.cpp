@@ -142,7 +142,6 @@ std::vector<Claim> drop_board_claims() {
        .oracle = "the same drop on the plane",
        .checks =
            {{.unit = "drops that differ", .bound = 0.0, .reason = "nothing of the board is near", .counts = true}},
-       .mutants = {},
        .measure = measure_middle},
       {.id = "DROP-28",
        .statement =
@@ -159,7 +158,6 @@ std::vector<Claim> drop_board_claims() {
                    .bound = 0.0,
                    .reason = "as drawn, none",
                    .counts = true}},
-       .mutants = {},
        .measure = measure_edge},
   };
 }

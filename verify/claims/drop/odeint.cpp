@@ -90,9 +90,6 @@ std::vector<Claim> drop_odeint_claims() {
                          "one of six, a bevel that rolls under infinite friction",
                          3e-12),
                   none("faults", "faults")},
-       .mutants = {{"drop/equations/contact_motion.hpp", "along * gyration.x()", "along * gyration.y()"},
-                   {"drop/equations/slip.hpp", "rate.across = a_y * c - a_x * s;", "rate.across = a_y * c;"},
-                   {"drop/equations/kinetics.hpp", "T(moment.y() + N * torque.y()", "T(moment.y() + torque.y()"}},
        .measure = measure_contact}};
 }
 

@@ -101,7 +101,6 @@ std::vector<Claim> drop_picture_claims() {
                          "the velocities: there this says that it does, and no more; measured 2026-11-30 with 26 "
                          "seeds: up to 3.5e-16",
                          std::numeric_limits<double>::epsilon())},
-       .mutants = {{"drop/motion/stretch.hpp", "T(frame.level + now.height)", "T(frame.level + T(2) * now.height)"}},
        .measure = measure_picture},
   };
 }

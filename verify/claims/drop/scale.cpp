@@ -228,11 +228,6 @@ std::vector<Claim> drop_scale_claims() {
        .family = OracleFamily::relation,
        .oracle = "the same drop in other units",
        .checks = {{.unit = "drops that differ", .bound = 0.0, .reason = "powers of two round nothing", .counts = true}},
-       .mutants = {{"drop/steps/integrator.hpp", "T(1e-2) / run.scales.frequency", "T(1e-2) / T(30)"},
-                   {"drop/rest/statics.hpp", "round_off_share<T>() * body.stone.width",
-                    "round_off_share<T>() * T(0.022)"},
-                   {"drop/settings.hpp", "fill(all.contact_speed, T(2e-6) * speed)",
-                    "fill(all.contact_speed, T(1e-6))"}},
        .measure = measure_units},
       {.id = "DROP-26",
        .statement =
@@ -254,9 +249,6 @@ std::vector<Claim> drop_scale_claims() {
                    .resolution = 1.0,
                    .counts = true},
                   none("status", "faults")},
-       .mutants = {{"drop/phases/edge_hops.hpp", "T(0.15) / run.scales.frequency", "T(5e-3)"},
-                   {"drop/phases/next_impact.hpp", "const T unit = T(1) / run.scales.frequency;",
-                    "const T unit = T(0.03);"}},
        .measure = measure_sizes},
   };
 }

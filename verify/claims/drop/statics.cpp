@@ -155,10 +155,6 @@ std::vector<Claim> drop_statics_claims() {
                          "512 ε of the width count as resistance; measured 2026-11-30 with 20 seeds: up to 1.2e-13",
                          epsilon),
                   none("verdict", "stones of which the shares say otherwise"), none("tilt", "wrong angles")},
-       .mutants = {{"drop/holds.hpp", "T(needed / (normal * static_friction(body_)))",
-                    "T(T(1.1) * needed / (normal * static_friction(body_)))"},
-                   {"drop/holds.hpp", "(lean(side, middle) ? low : high) = middle;",
-                    "(lean(side, middle) ? high : low) = middle;"}},
        .measure = measure_statics},
   };
 }

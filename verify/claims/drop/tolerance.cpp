@@ -152,7 +152,6 @@ std::vector<Claim> drop_tolerance_claims() {
        .family = OracleFamily::relation,
        .oracle = "the same at 1e-12, which DROP-17 judges",
        .checks = by_tolerance,
-       .mutants = {},
        .measure = measure_tolerance},
       {.id = "DROP-30",
        .statement = "In float a stone drops as it does in double.",
@@ -165,7 +164,6 @@ std::vector<Claim> drop_tolerance_claims() {
                          "the roundings of a flight and an impact; measured 2026-11-30 with 40 seeds: up to 0.9"),
                   within("after it", 3.0, "m/s, of ε (10 + the angle turned)",
                          "likewise; measured 2026-11-30 with 40 seeds: up to 0.9")},
-       .mutants = {},
        .measure = measure_float},
   };
 }

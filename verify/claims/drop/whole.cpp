@@ -245,10 +245,6 @@ std::vector<Claim> drop_whole_claims() {
                   within("attitude", 1e-10, "rad", "the same; measured 2026-11-30 with 12 seeds: up to 2.1e-11"),
                   within("momentum", 6e-11, "relative", "the same; measured 2026-11-30 with 12 seeds: up to 1.1e-11"),
                   none("faults", "faults")},
-       .mutants = {{"drop/phases/flight_phase.hpp", "push(run, contact, material_.restitution, EventKind::impact)",
-                    "push(run, contact, T(0), EventKind::impact)"},
-                   {"drop/equations/contact_motion.hpp", "T(-(over / (radial * radial)))",
-                    "T(over / (radial * radial))"}},
        .measure = measure_links},
       {.id = "DROP-19",
        .statement =
@@ -270,7 +266,6 @@ std::vector<Claim> drop_whole_claims() {
                        "seeds: one of 40 with two of them, none with the others",
                    .resolution = 2.5,
                    .counts = true}},
-       .mutants = {{"drop/steps/crossing.hpp", "return scalar::max(T(1e-12),", "return scalar::max(T(1e-4),"}},
        .measure = measure_place},
       {.id = "DROP-20",
        .statement =
@@ -280,9 +275,6 @@ std::vector<Claim> drop_whole_claims() {
        .family = OracleFamily::invariant,
        .oracle = "the stress test's judge: gaps along flights and at events, energy at events, rest that lasts",
        .checks = {none("random", "faults"), none("to the side", "faults"), none("once wrong", "faults")},
-       .mutants = {{"drop/phases/next_impact.hpp", "if (hit.status != ImpactStatus::overlapping && T(0) < until) {",
-                    "if (false) {"},
-                   {"drop/steps/support_loss.hpp", "if (depth == 0 ||", "if (depth < 50 ||"}},
        .measure = measure_stress},
   };
 }

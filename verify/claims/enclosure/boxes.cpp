@@ -187,12 +187,6 @@ std::vector<Claim> enclosure_box_claims() {
        .family = OracleFamily::proof,
        .oracle = boxes,
        .checks = {{.unit = "boxes not proved or given up", .bound = 0.0, .reason = reason, .counts = true}},
-       .mutants = {{"shape/bevel.hpp", "T(2) * sphere_offset + (height + bevel_height)",
-                    "T(2) * sphere_offset - (height + bevel_height)"},
-                   {"shape/bevel.hpp", "sphere_radius / joint_offset * (bevel_height / T(2))",
-                    "(sphere_radius - sphere_radius * core_share)"},
-                   {"shape/lens.hpp", "T((width - height) * (width + height) / (T(4) * height))",
-                    "T((height - width) * (width + height) / (T(4) * height))"}},
        .measure = measure_lengths},
       {.id = "ENCLOSURE-7",
        .statement = "For every stone with w/h from 5/4 to 4 (quick tier: to 1.3) and b/h from 0.08 to 7/8, the joint "
@@ -204,11 +198,6 @@ std::vector<Claim> enclosure_box_claims() {
        .checks = {within(
            "", 0.0, "boxes not proved or given up",
            reason + "; towards the edges of the whole domain P_x becomes w/2, and boxes would shrink without end")},
-       .mutants = {{"shape/bevel.hpp", "T(2) * sphere_offset + (height + bevel_height) / T(2)",
-                    "T(2) * sphere_offset + (height + bevel_height)"},
-                   {"mass/volume.hpp", "const T caps = k *", "const T caps = T(-4) * k *"},
-                   {"mass/volume.hpp", "const T caps = scalar::sq(stone.joint_radius) + scalar::sq(terms.cap_height);",
-                    "const T caps = T(-4) * scalar::sq(stone.joint_radius);"}},
        .measure = measure_bodies},
       {.id = "ENCLOSURE-8",
        .statement =
@@ -221,7 +210,6 @@ std::vector<Claim> enclosure_box_claims() {
                    .reason =
                        reason + "; of thinner stones I_a is 2 I_t but for (h/w)², and boxes would have to be as small",
                    .counts = true}},
-       .mutants = {{"mass/inertia.hpp", "(axial + across)", "(axial - across)"}},
        .measure = measure_triangle},
   };
 }

@@ -274,7 +274,6 @@ std::vector<Claim> enclosure_branch_claims() {
        .checks = {within("enclosures", 0.0, "enclosures missed",
                          "an enclosure meets the 50-digit value or it does not"),
                   none("choices", "choices not proved, not the same in 50 digits, or never made")},
-       .mutants = {},
        .measure = measure_flight_containment},
       {.id = "ENCLOSURE-4",
        .statement = "These enclosures are narrow, over the whole domain.",
@@ -286,9 +285,6 @@ std::vector<Claim> enclosure_branch_claims() {
                    .reason = "2⁻²⁵⁶ = 9e-78 a step",
                    .resolution = 1e-77,
                    .counts = true}},
-       .mutants = {{"shape/surface.hpp",
-                    "return stone.height / T(2) + stone.sphere_offset * radial_square / (T(1) + axial);",
-                    "return stone.sphere_radius - stone.sphere_offset * axial;"}},
        .measure = measure_flight_width},
   };
 }

@@ -107,7 +107,6 @@ std::vector<Claim> enclosure_claims() {
        .family = OracleFamily::rounding,
        .oracle = "Boost.Multiprecision, 50 digits, ± 1e-45 for its own roundings",
        .checks = {within("", 0.0, "enclosures missed", "an enclosure meets the 50-digit value or it does not")},
-       .mutants = {},
        .measure = measure_containment},
       {.id = "ENCLOSURE-2",
        .statement = "The enclosures are narrow: no formula cancels, over the whole domain.",
@@ -122,8 +121,6 @@ std::vector<Claim> enclosure_claims() {
                  "of the data are exact",
              .resolution = 1e-77,
              .counts = true}},
-       .mutants = {{"shape/lens.hpp", "T((width - height) * (width + height) / (T(4) * height))",
-                    "T((scalar::sq(width) + scalar::sq(height)) / (T(4) * height) - height / T(2))"}},
        .measure = measure_width},
   };
 }

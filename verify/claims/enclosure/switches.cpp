@@ -193,18 +193,6 @@ std::vector<Claim> enclosure_switch_claims() {
        .oracle = "each branch beside the other",
        .checks = {within("branches", 0.0, "branches that do not meet", "the functions are continuous there"),
                   none("switches", "places that are no switch")},
-       .mutants = {{"shape/surface.hpp", "stone.height / T(2) + stone.sphere_offset",
-                    "stone.height / T(2) + stone.sphere_radius"},
-                   {"shape/surface.hpp", "stone.height / T(2) - stone.sphere_radius",
-                    "stone.height / T(2) - stone.sphere_offset"},
-                   {"shape/surface.hpp", "return stone.bevel_major_radius * radial + stone.bevel_minor_radius;",
-                    "return stone.joint_radius * radial + stone.bevel_minor_radius;"},
-                   {"shape/surface.hpp", "zeta * (zeta + T(2) * stone.sphere_offset)",
-                    "zeta * (zeta + stone.sphere_offset)"},
-                   {"shape/surface.hpp", "rho * d <= rim * over", "rho * over <= rim * d"},
-                   {"contact/stone_plane.hpp", "height - formula::rim_support(stone, radial)",
-                    "height + formula::rim_support(stone, radial)"},
-                   {"shape/bevel.hpp", "T(8) * bevel_height * shrink", "T(8) * height * shrink"}},
        .measure = measure_switches},
   };
 }

@@ -181,9 +181,6 @@ std::vector<Claim> domain_impact_claims() {
             within("rounding", 3.0, "ε of the velocity, as an impulse, times the condition of W and of the cone",
                    "the same, all to one side; measured 2026-11-30 with 26 seeds: up to 0.99"),
             none("refused", "faults")},
-       .mutants = {{"impact/chatterjee_ruina.hpp", "least < approach, approach * least < T(1), ", ""},
-                   {"impact/chatterjee_ruina.hpp", ", least < mobility, mobility * least < T(1)", ""},
-                   {"impact/laws.hpp", "const ContactMatrix<T> W = units.of(c.W);", "const ContactMatrix<T> W = c.W;"}},
        .measure = measure_both(see_units<double>, see_units<float>, 3000, 30'000)},
   };
 }

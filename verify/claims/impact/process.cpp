@@ -178,14 +178,6 @@ std::vector<Claim> impact_process_claims() {
                          "round-off of a grazing impact: approach speeds from 1e-3 of the velocity up; measured "
                          "2026-11-30 with 26 seeds: up to 1.8e-14",
                          epsilon)},
-       .mutants = {{"impact/stronge.hpp", "T(1) / (W_.xx + W_.yy + W_.zz / c.friction)",
-                    "T(1) / (W_.xx + W_.yy + T(2) * W_.zz / c.friction)"},
-                   {"impact/stronge.hpp", "needed <= friction_", "needed <= friction_ * T(2)"},
-                   {"impact/stronge.hpp", "T(-W_.xz), T(-W_.yz)", "W_.xz, W_.yz"},
-                   {"impact/stronge.hpp", "vn + rate.z() * length / T(2)", "vn + rate.z() * length"},
-                   {"impact/contact_matrix.hpp", "T(scale * (W.yy * vx - W.xy * vy))",
-                    "T(scale * (W.yy * vx + W.xy * vy))"},
-                   {"impact/contact_matrix.hpp", ".xz = formula::dot(a, Wn)", ".xz = formula::dot(b, Wn)"}},
        .measure = measure_routh},
       {.id = "IMPACT-8",
        .statement =
@@ -203,8 +195,6 @@ std::vector<Claim> impact_process_claims() {
                        "W does not couple: one law, and round-off; measured 2026-11-30 with 12 seeds: up to 1.1e-15",
                    .resolution = epsilon},
                   none("faults", "faults")},
-       .mutants = {{"impact/chatterjee_ruina.hpp", "T(-sticking_normal)", "sticking_normal"},
-                   {"impact/chatterjee_ruina.hpp", "const T needed = along *", "const T needed = T(2) * along *"}},
        .measure = measure_default},
   };
 }

@@ -345,13 +345,6 @@ std::vector<Claim> impact_slip_claims() {
                          "the same, of what it changes of the normal one; measured 2026-11-30 with 30 seeds: up to "
                          "2.2e-15",
                          epsilon)},
-       .mutants = {{"impact/stronge.hpp", "T(-against * v.x()), T(-against * v.y())",
-                    "T(-against * v.x()), T(-against * v.x())"},
-                   {"impact/stronge.hpp", "- speed[i] * speed[k + 1 - i]", "+ speed[i] * speed[k + 1 - i]"},
-                   {"impact/stronge.hpp", "series[k + 1].work = over * along * power",
-                    "series[k + 1].work = along * power"},
-                   {"impact/stronge.hpp", "state.work + given_back_ * compression_",
-                    "state.work + T(2) * given_back_ * compression_"}},
        .measure = measure_turning},
       {.id = "IMPACT-9",
        .statement = "Stronge's law out of the plane, where the slip stops: friction holds the contact, or, where it "
@@ -367,9 +360,6 @@ std::vector<Claim> impact_slip_claims() {
                    "round-off of the velocity; measured 2026-11-30 with 60 seeds, and in the full tier: up to 3.9e-15",
                    epsilon),
             none("ways", "starts with no direction, or more than one")},
-       .mutants = {{"impact/stronge.hpp", "needed <= friction_", "needed <= friction_ * T(1.05)"},
-                   {"impact/stronge.hpp", "x = -(holding.x() / needed)", "x = holding.x() / needed"},
-                   {"impact/stronge.hpp", "ending * ahead > pace", "ending * ahead > T(2) * pace"}},
        .measure = measure_stopping},
   };
 }

@@ -230,8 +230,6 @@ std::vector<Claim> accuracy_claims() {
        .family = OracleFamily::rounding,
        .oracle = arb,
        .checks = {rounded_once},
-       .mutants = {{"shape/lens.hpp", "T((width - height) * (width + height) / (T(4) * height))",
-                    "T((scalar::sq(width) + scalar::sq(height)) / (T(4) * height) - height / T(2))"}},
        .measure = shape_measure(Parametrisation::sharp)},
       {.id = "SHAPE-2",
        .statement = "Every length of a bevelled stone, as published, is right to one ulp, thin, near-ball and b/h "
@@ -240,9 +238,6 @@ std::vector<Claim> accuracy_claims() {
        .family = OracleFamily::rounding,
        .oracle = arb,
        .checks = {rounded_once},
-       .mutants = {{"shape/stone.hpp", "using Wide = scalar::wider_t<T>;", "using Wide = T;"},
-                   {"shape/bevel.hpp", "T(sphere_radius * core_share)",
-                    "T(sphere_radius - sphere_radius * (bevel_height / T(2)) / joint_offset)"}},
        .measure = shape_measure(Parametrisation::published)},
       {.id = "SHAPE-3",
        .statement = "The same when the finished stone has the given width, thickness and bevel.",
@@ -250,8 +245,6 @@ std::vector<Claim> accuracy_claims() {
        .family = OracleFamily::rounding,
        .oracle = arb,
        .checks = {rounded_once},
-       .mutants = {{"shape/stone.hpp", "formula::measured_sphere_offset(Wide(outer_width), h, b)",
-                    "Wide(formula::measured_sphere_offset(outer_width, height, bevel))"}},
        .measure = shape_measure(Parametrisation::measured)},
       {.id = "SHAPE-4",
        .statement =
@@ -260,8 +253,6 @@ std::vector<Claim> accuracy_claims() {
        .family = OracleFamily::rounding,
        .oracle = arb,
        .checks = {rounded_once},
-       .mutants = {{"shape/bevel.hpp", "T(sphere_radius / joint_offset * (bevel_height / T(2)))",
-                    "T(sphere_radius - sphere_radius * core_share)"}},
        .measure = measure_cancellation},
       {.id = "SHAPE-5",
        .statement = "The finished stone's width 2(r₁ + r₂) is right to two ulps, as published and as measured.",
@@ -269,7 +260,6 @@ std::vector<Claim> accuracy_claims() {
        .family = OracleFamily::rounding,
        .oracle = arb,
        .checks = {within("", 2.0, "ulp", "two terms rounded to ½ ulp each, and their sum: 1½ ulp", 1.0)},
-       .mutants = {{"shape/stone.hpp", "using Wide = scalar::wider_t<T>;", "using Wide = T;"}},
        .measure = measure_solved_width},
       {.id = "MASS-1",
        .statement =
@@ -281,7 +271,6 @@ std::vector<Claim> accuracy_claims() {
        .checks = {within("volume and moments", 1.0, "ulp", once, 1.0),
                   within("area", 4.0, "ulp", "in T: four roundings and that of π, 4½ ε/2 of relative error or fewer",
                          1.0)},
-       .mutants = {{"mass/inertia.hpp", "using Wide = scalar::wider_t<T>;", "using Wide = T;"}},
        .measure = mass_measure({Parametrisation::sharp})},
       {.id = "MASS-2",
        .statement =
@@ -296,7 +285,6 @@ std::vector<Claim> accuracy_claims() {
            "ulp at most; "
            "the angle by atan2 in T (1 ulp), a rounding at the end and one for ρ or m",
            1.0)},
-       .mutants = {{"mass/inertia.hpp", "using Wide = scalar::wider_t<T>;", "using Wide = T;"}},
        .measure = mass_measure({Parametrisation::published, Parametrisation::measured})},
   };
 }

@@ -157,10 +157,6 @@ std::vector<Claim> domain_tensor_claims() {
                   none("order", "moments that do not ascend, or axes that are no rotation"),
                   none("units", "tensors that have other digits in other units"),
                   none("refusals", "what is taken or refused and should not be")},
-       .mutants = {{"mass/tensor.hpp", "(scaled + scaled.transpose()) / T(2)", "(scaled + scaled.transpose()) / T(3)"},
-                   {"mass/tensor.hpp", "const Mat3<T> scaled = tensor / trace;",
-                    "const Mat3<T> scaled = T(2) * tensor / (T(2) * trace);"},
-                   {"mass/tensor.hpp", "asymmetry <= T(16) * std::numeric_limits<T>::epsilon()", "true"}},
        .measure = measure_tensors},
   };
 }

@@ -333,8 +333,6 @@ std::vector<Claim> mesh_tessellation_claims() {
                   within("normal", 2e-15, "of the width",
                          "how far the stone goes beyond the corner, along its normal: the same"),
                   within("unit", 2e-15, "relative", "the same, of a square")},
-       .mutants = {{"mesh/tessellation.hpp", "angle = cap_angle_ * from_axis;",
-                    "angle = T(0.9) * cap_angle_ * from_axis;"}},
        .measure = measure_corners},
       {.id = "MESH-2",
        .statement = "Meshes of all stones are closed surfaces without a hole, each triangle facing outwards; welding "
@@ -344,8 +342,6 @@ std::vector<Claim> mesh_tessellation_claims() {
        .oracle = "sets of coordinates; Euler's formula",
        .checks = {none("closed", "meshes"), none("welding", "meshes"), none("facing", "meshes"),
                   none("counts", "meshes")},
-       .mutants = {{"mesh/tessellation.hpp", "put(a, b, in(side * of_inner + ++i));",
-                    "put(b, a, in(side * of_inner + ++i));"}},
        .measure = measure_topology_with_pictures},
       {.id = "MESH-3",
        .statement = "The distance between mesh and stone is what is stated.",
@@ -356,8 +352,6 @@ std::vector<Claim> mesh_tessellation_claims() {
                          "it is reached, as meshes of `tessellate` are convex; the search's last step; measured "
                          "2026-11-30 with 12 seeds: up to 2.3e-11",
                          2e-11)},
-       .mutants = {{"mesh/deviation.hpp", "if (formula::dot(u, formula::minus(corner(other, far), p)) < T(0)) {",
-                    "if (false) {"}},
        .measure = measure_deviation},
       {.id = "MESH-5",
        .statement = "A tolerance is kept, and by few triangles: within 1.3 of the least possible.",
@@ -369,7 +363,6 @@ std::vector<Claim> mesh_tessellation_claims() {
             within("subdivision", 1.3, "of the least possible", "what was asked for"),
             within("rings", 2.7, "of the least possible",
                    "long triangles at the pole, right ones at the rim; measured 2026-11-30 with 5 seeds: 2.1 to 2.52")},
-       .mutants = {{"mesh/tessellation.hpp", "T(1) + joint_sine / T(5) * u", "T(1) + joint_sine * u"}},
        .measure = measure_fineness},
   };
 }

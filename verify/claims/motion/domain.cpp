@@ -199,8 +199,6 @@ std::vector<Claim> domain_motion_claims() {
                   within("velocity", 4.0, "ε (|v| + |g t|)",
                          "twice FLIGHT-5's 2, for rounding that is not to the nearest", 1.0),
                   none("refusals", "what is taken or refused and should not be")},
-       .mutants = {{"motion/free_flight.hpp", "(T(3) - square) / T(2)", "T(1) + T(0) * square"},
-                   {"motion/free_flight.hpp", "scalar::is_finite(T((q.w() + q.x()) + (q.y() + q.z())))", "true"}},
        .measure = measure_flights},
       {.id = "DOMAIN-6",
        .statement = "The flight of a body without a symmetry axis has the same digits in every unit: moments times "
@@ -210,8 +208,6 @@ std::vector<Claim> domain_motion_claims() {
        .family = OracleFamily::relation,
        .oracle = "the same flight in other units",
        .checks = {within("", 0.0, "flights that differ", "powers of two are exact")},
-       .mutants = {{"motion/elliptic_flight.hpp", "size = momentum.cwiseAbs().maxCoeff(&k)",
-                    "size = T(0) * momentum.cwiseAbs().maxCoeff(&k) + T(1)"}},
        .measure = measure_units},
       {.id = "DOMAIN-7",
        .statement = "A batch flies for up to 1e16 s (float: 1e12): each stone as alone, its attitude of length 1.",
@@ -222,8 +218,6 @@ std::vector<Claim> domain_motion_claims() {
                   within("length", 8.0, "ε, of |q|²", "as FLIGHT-4", 0.5),
                   within("as alone", 0.0, "stones that differ",
                          "beyond 1e10 rad the batch leaves them to free_flight")},
-       .mutants = {{"motion/batch.hpp", "angle < T(65536) * T(65536)", "true"},
-                   {"motion/batch.hpp", "put(i, free_flight(get(i), mobility, gravity, t));", "put(i, get(i));"}},
        .measure = measure_both(see_batches<double>, see_batches<float>, 200, 2000)},
   };
 }

@@ -148,10 +148,6 @@ std::vector<Claim> domain_batch_claims() {
        .checks = {within("gaps", 12.0, "ε of width, distance and offset; as much more as |n|² is off",
                          "some six roundings, twice as large where they are not to the nearest", 0.5),
                   none("refusals", "what is taken or refused and should not be")},
-       .mutants = {{"contact/batch_plane.hpp", "size.x() + size.y() + size.z() < most", "true"},
-                   {"contact/batch_plane.hpp", "-most < plane.offset && plane.offset < most", "true"},
-                   {"contact/batch_plane.hpp", "const Lanes axial = abs(signed_axial);",
-                    "const Lanes axial = signed_axial;"}},
        .measure = measure_rows},
   };
 }

@@ -297,13 +297,6 @@ std::vector<Claim> domain_steppers_claims() {
                   within("velocity", 2.0, "ε of its parts", "a product and a sum, each off by up to one ulp", 0.5),
                   none("long steps", "steps that are too long and do not say so"),
                   none("refusals", "what is taken or refused and should not be")},
-       .mutants = {{"motion/steppers.hpp", "scalar::is_finite(inverse_moments_)", "true"},
-                   {"motion/steppers.hpp", "scalar::is_finite(p) && scalar::is_finite(v)",
-                    "scalar::is_finite(T(p.sum() + v.sum()))"},
-                   {"motion/steppers.hpp", "Vec3<T>(dt * inverse_moments_), T(1)", "inverse_moments_, dt"},
-                   {"motion/steppers.hpp", "if (size_of(update) <= small)",
-                    "if (formula::dot(update, update) <= small)"},
-                   {"motion/steppers.hpp", "T(1) / T(4) < square && square < T(4)", "square < T(4)"}},
        .measure = measure_both(see_steps<double>, see_steps<float>, 120, 1500)},
       {.id = "DOMAIN-15",
        .statement =
@@ -320,9 +313,6 @@ std::vector<Claim> domain_steppers_claims() {
                          "a difference turned: some eight roundings, not to the nearest", 1.0),
                   within("attitude", 8.0, "ε", half_as_many, 1.0),
                   within("length", 8.0, "ε, beyond the attitude's own defect", half_as_many, 1.0)},
-       .mutants = {{"motion/invariants.hpp", "formula::reunited(q_WV).conjugate()", "q_WV.conjugate()"},
-                   {"motion/invariants.hpp", "body.mass * formula::dot(state.v_WB, state.v_WB) / T(2)",
-                    "scalar::sq(T(body.mass)) * formula::dot(state.v_WB, state.v_WB) / (T(2) * body.mass)"}},
        .measure = measure_both(see_invariants<double>, see_invariants<float>, 1000, 10'000)},
   };
 }

@@ -317,16 +317,6 @@ std::vector<Claim> order_claims() {
                          "a random walk of 256 steps, each rounding a velocity and a position"),
                   within("no convergence", 1.0, "of what the steps turn too little", "the triangle's inequality"),
                   none("other motion", "loops whose own motion is the true one")},
-       .mutants = {{"motion/step_formulas.hpp", "formula::along(start, k2, half)", "formula::along(start, k1, half)"},
-                   {"motion/step_formulas.hpp", "middle - start - middle.cross", "middle - start + middle.cross"},
-                   {"motion/step_formulas.hpp", "rotor.L_B[j] = cosine * L_j + sine * L_k",
-                    "rotor.L_B[j] = cosine * L_j - sine * L_k"},
-                   {"motion/step_formulas.hpp", "i + 1 < count ? T(mine + half * substep(i + 1)) : mine", "T(mine)"},
-                   {"motion/step_formulas.hpp", "T(q_WB.w() + dt * rate.w())", "T(q_WB.w() - dt * rate.w())"},
-                   {"motion/step_formulas.hpp", "formula::product(formula::rotation_exp(Vec3<T>(dt * w_WB)), q_WB)",
-                    "formula::product(q_WB, formula::rotation_exp(Vec3<T>(dt * w_WB)))"},
-                   {"motion/steppers.hpp", "return formula::composition_4<T>()", "return formula::composition_6<T>()"},
-                   {"rotation.hpp", "pw * qy - px * qz + py * qw + pz * qx", "pw * qy + px * qz + py * qw - pz * qx"}},
        .measure = measure_orders},
       {.id = "ORDER-2",
        .statement = "The substeps of the compositions obey the conditions of their order, to the 27 digits that they "
@@ -337,12 +327,6 @@ std::vector<Claim> order_claims() {
        .checks = {within(
            "", 1e-26, "absolute",
            "half a unit of the 27th digit in each substep, times up to 9 substeps and derivatives of up to 3", 5e-28)},
-       .mutants = {{"motion/step_formulas.hpp", "142354063", "142354163"},
-                   {"motion/step_formulas.hpp", "279250560", "279250660"},
-                   {"motion/step_formulas.hpp", "599748634", "599748734"},
-                   {"motion/step_formulas.hpp", "809964820", "809964920"},
-                   {"motion/step_formulas.hpp", "231490449", "231490549"},
-                   {"motion/step_formulas.hpp", "T(1) - T(4) * outer", "T(1) - T(2) * outer"}},
        .measure = measure_coefficients},
       {.id = "ORDER-3",
        .statement =
@@ -362,13 +346,6 @@ std::vector<Claim> order_claims() {
                          "a quasi-periodic error, whose maximum is met to 1 % in the first tenth, and the random walk",
                          0.02),
                   none("steps", "steps that fail")},
-       .mutants = {{"motion/step_formulas.hpp", "cosine = T(1) - T(2) * scalar::sq(s)",
-                    "cosine = T(1) - scalar::sq(s)"},
-                   {"motion/step_formulas.hpp", "rotor.L_B[i] * inverse_moments[i] * dt / T(2)",
-                    "rotor.L_B[i] * inverse_moments[(i + 1) % 3] * dt / T(2)"},
-                   {"motion/step_formulas.hpp", "T(1) / scalar::sqrt(T(T(1) + formula::dot(half_turn, half_turn)))",
-                    "T(1) / scalar::sqrt(T(T(1) + formula::dot(half_turn, half_turn) / T(2)))"},
-                   {"motion/step_formulas.hpp", "half_turn = dt / T(2) *", "half_turn = dt *"}},
        .measure = measure_drift},
       {.id = "ORDER-4",
        .statement = "Below their own error the schemes have a floor that grows as round-off predicts: like ε √n, and "
@@ -379,9 +356,6 @@ std::vector<Claim> order_claims() {
                  "round-off",
        .checks = {within("steps", 1.0, "of ε (16 √n + c n)", floor, 0.05),
                   within("truth", 1.0, "of ε (16 √n + c n)", floor, 0.05)},
-       .mutants = {{"motion/step_formulas.hpp", "cosine = T(1) - T(2) * scalar::sq(s), sine = T(2) * s * c",
-                    "cosine = T(1) - T(2) * scalar::sq(s), sine = T(float(T(2) * s * c))"},
-                   {"rotation.hpp", "const T scale = (T(3) - square) / T(2)", "const T scale = T(1)"}},
        .measure = measure_round_off},
       {.id = "ORDER-5",
        .statement = "A step too large, up to the largest number, never ends in silence: the state that comes back is "
@@ -390,8 +364,6 @@ std::vector<Claim> order_claims() {
        .family = OracleFamily::invariant,
        .oracle = "finite numbers, |q| = 1, and the good steps alone",
        .checks = {{.unit = "count", .bound = 0.0, .reason = "exact", .counts = true}},
-       .mutants = {{"motion/steppers.hpp", "if (!(scalar::is_finite(p) && scalar::is_finite(v)))", "if (false)"},
-                   {"motion/steppers.hpp", "if (!(T(1) / T(4) < square && square < T(4)))", "if (square < T(0))"}},
        .measure = measure_too_large},
   };
 }

@@ -288,12 +288,6 @@ std::vector<Claim> published_drop_claims() {
        .checks = {within("order, L kept", 0.2, "of the slope", "thrice what medians over 100 drops scatter", 0.02),
                   none("flat, ω kept", "errors of the attitude that fall with the step to the power 0.05 or more"),
                   none("off, ω kept", "steps whose medians are not more than 0.1 rad and 0.1 mm")},
-       .mutants = {{"published/impact_law.hpp", "const T limit = -(c.friction * j)",
-                    "const T limit = -(c.friction * j / T(2))"},
-                   {"mass/rigid_body.hpp", ".transverse = T(T(1) / moments.transverse)",
-                    ".transverse = T(T(1) / moments.axial)"},
-                   {"mass/rigid_body.hpp", "const T along = mobility.axial * formula::dot(u_W, L_W)",
-                    "const T along = mobility.axial * formula::dot(u_W, L_W) / T(2)"}},
        .measure = measure_one_impact},
       {.id = "PUBLISHED-18",
        .statement =
@@ -306,12 +300,6 @@ std::vector<Claim> published_drop_claims() {
        .checks = {within("order", 0.2, "of the slope", "twice what medians over 40 drops scatter", 0.02),
                   none("off", "steps that end not more than 1 cm away in the median"),
                   none("moving", "steps at which a drop ends with less than 1e-6 of its energy")},
-       .mutants = {{"published/impact_law.hpp", "const T limit = -(c.friction * j)",
-                    "const T limit = -(c.friction * j / T(2))"},
-                   {"drop/equations/contact_motion.hpp", "now.height = geometry.height;",
-                    "now.height = geometry.height + geometry.slope / T(1000);"},
-                   {"drop/equations/contact_motion.hpp", "const T along = mobility.axial * momentum",
-                    "const T along = mobility.axial * momentum / T(2)"}},
        .measure = measure_whole_drops},
   };
 }

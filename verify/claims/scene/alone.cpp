@@ -238,8 +238,6 @@ std::vector<Claim> scene_alone_claims() {
        .family = OracleFamily::relation,
        .oracle = "drops of the same stones, which the claims DROP judge",
        .checks = {none("states", "stones that differ"), none("events", "stones that differ")},
-       .mutants = {{"scene/world/scene_course.hpp", "    drop.advance_to(world.now, sink_of(i, no_index));", ""},
-                   {"scene/scene.hpp", "drop.change(settings.drop, course_.sink_of(i, detail::no_index));", ""}},
        .measure = measure_alone},
       {.id = "SCENE-2",
        .statement = "How the time of a scene is cut does not matter, nor that it is asked, stored, or gone back to: "
@@ -248,10 +246,6 @@ std::vector<Claim> scene_alone_claims() {
        .family = OracleFamily::relation,
        .oracle = "the same scene in one piece",
        .checks = {none("states", "stones that differ"), none("events", "scenes that differ")},
-       .mutants =
-           {{"scene/scene.hpp", "const bool there = course_.run(time, false);",
-             "const bool there = course_.run(time, false); for (std::size_t i = 0; i < world.members.size(); ++i) { "
-             "world.turn(i); }"}},
        .measure = measure_cuts},
       {.id = "SCENE-3",
        .statement =
@@ -262,8 +256,6 @@ std::vector<Claim> scene_alone_claims() {
        .family = OracleFamily::relation,
        .oracle = "the same scene in other units",
        .checks = {none("", "stones that differ")},
-       .mutants = {{"scene/settings.hpp", "fill(all.clearance, T(width / T(44000)));", "fill(all.clearance, T(5e-7));"},
-                   {"scene/world/cluster_contacts.hpp", "age = h / T(64);", "age = T(3e-5);"}},
        .measure = measure_units},
   };
 }

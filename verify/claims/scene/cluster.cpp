@@ -210,10 +210,6 @@ std::vector<Claim> scene_cluster_claims() {
                   within("sliding", 0.6, "half widths or rad, of h √(g/w)", "the same: up to 0.29"),
                   within("sliding, resisted", 0.6, "half widths or rad, of h √(g/w)", "the same"),
                   within("slope", 0.2, "off 1", "first order, in the median"), none("clusters", "that are none")},
-       .mutants = {{"scene/world/cluster_impulses.hpp", "T(world.now + h_ / T(2) - member.nominal)",
-                    "T(world.now + h_ - member.nominal)"},
-                   {"scene/cluster/sweeps.hpp", "torque = borne(row, torque);",
-                    "torque = formula::scaled(T(0.5), borne(row, torque));"}},
        .measure = measure_steps},
       {.id = "SCENE-10",
        .statement =
@@ -233,10 +229,6 @@ std::vector<Claim> scene_cluster_claims() {
                          "seldom a new contact is found deep inside: measured 2026-11-30 with 20 seeds 5 to 7, and "
                          "67 in the full tier",
                          4.0)},
-       .mutants = {{"scene/world/cluster_impulses.hpp", "const T over = jumps ? T(0) : T(T(1) / time);",
-                    "const T over = T(T(1) / time);"},
-                   {"scene/world/cluster_step.hpp", "if (!(shortest < h_) || !(bends || leads_too_deep(world)))",
-                    "if (h_ <= h_)"}},
        .measure = measure_time},
       {.id = "SCENE-11",
        .statement =
@@ -254,9 +246,6 @@ std::vector<Claim> scene_cluster_claims() {
                       "measured 2026-11-30 with 20 seeds: up to 7e-7",
                       1e-7),
                   within("energy", 1e-14, "relative", "round-off", 2e-16)},
-       .mutants = {{"scene/world/cluster_impulses.hpp",
-                    "other = formula::minus(other, formula::plus(formula::cross(row.rb, P), row.torque));",
-                    "other = formula::minus(other, formula::cross(row.rb, P));"}},
        .measure = measure_weightless},
   };
 }

@@ -126,8 +126,6 @@ std::vector<Claim> scene_convergence_claims() {
                          "first order, of 1/480 to 1/1920 s; few stones, whose impacts magnify: the median of some 200 "
                          "varies",
                          0.02)},
-       .mutants = {{"scene/world/cluster_impulses.hpp", "member.state.v_WB, time, world.settings.drop.gravity",
-                    "member.state.v_WB, T(time + T(1e-4)), world.settings.drop.gravity"}},
        .measure = measure_convergence},
   };
 }

@@ -294,8 +294,6 @@ std::vector<Claim> scene_impact_claims() {
                          "derived: first_touch ends between half a hundredth and a hundredth above it", 1e-3),
                   within("place", 2e-15, "m", "a few roundings, 1 m over the board", 2e-16), none("missed", "meetings"),
                   none("later", "meetings")},
-       .mutants = {{"scene/pairs/first_touch.hpp", "T(clearance + near / T(2))", "T(T(-2) * clearance)"},
-                   {"scene/pairs/first_touch.hpp", "gap.add(formula::wobble(*second.stone, two, n));", ""}},
        .measure = measure_flights},
       {.id = "SCENE-5",
        .statement =
@@ -312,9 +310,6 @@ std::vector<Claim> scene_impact_claims() {
                   within("energy", 2e-15, "of the speeds squared",
                          "derived: it changes by J · (v⁻ + v⁺)/2; some roundings", 1e-16),
                   none("gains", "impacts"), none("pulls", "impulses"), none("told of one alone", "impacts")},
-       .mutants = {{"scene/world/scene_course.hpp", "opposite.impulse_W = Vec3<T>(-opposite.impulse_W);", ""},
-                   {"scene/world/cluster_impulses.hpp", "see_body(*second, contacts_.sweeps.movers[row.b])",
-                    "see_body(*second, a)"}},
        .measure = measure_impacts},
       {.id = "SCENE-6",
        .statement = "Stones in a row, the first thrown at the others, pass the blow on as masses and restitution say, "
@@ -325,9 +320,6 @@ std::vector<Claim> scene_impact_claims() {
        .checks = {within("velocity", 5e-15, "m/s", "some roundings of 1 m/s", 1e-15),
                   within("place", 0.02, "of the clearance, for each impact",
                          "a touch is up to a hundredth of it early")},
-       .mutants = {{"scene/world/scene_course.hpp", "world.settings.restitution, world.settings.friction",
-                    "world.settings.drop.restitution, world.settings.friction"},
-                   {"scene/world/world.hpp", "pair.touches = found.touches;", "pair.touches = false;"}},
        .measure = measure_rows},
   };
 }

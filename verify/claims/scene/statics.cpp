@@ -274,8 +274,6 @@ std::vector<Claim> scene_statics_claims() {
                   within("lies", 10.0, "of the clearance", "it sinks by what the steps leave"),
                   within("cards", 1.001, "of δ N of both contacts over the lever", "derived: what resistance may bear"),
                   none("rest", "that do not rest")},
-       .mutants = {{"scene/world/cluster_impulses.hpp", "memory.impulse = row.in_world(row.p);",
-                    "memory.impulse = formula::scaled(T(1.01), row.in_world(row.p));"}},
        .measure = measure_by_hand},
       {.id = "SCENE-8",
        .statement =
@@ -295,8 +293,6 @@ std::vector<Claim> scene_statics_claims() {
                          2e-7),
                   none("pulls", "contacts"), none("rest", "heaps that do not"), none("still", "stones that move"),
                   none("costs", "heaps"), none("stays on a slope", "stones")},
-       .mutants = {{"scene/world/cluster_step.hpp", "const T still = T(1e-4) * h * world.g;",
-                    "const T still = T(1e-2) * h * world.g;"}},
        .measure = measure_heaps},
   };
 }

@@ -200,10 +200,6 @@ std::vector<Claim> scene_witness_claims() {
                          "first order, in the median; measured 2026-11-30 with 20 seeds: up to 0.055", 0.02),
                   within("with resistance", 0.4, "half widths or rad, of h √(g/w)", "the same: up to 0.12", 0.02),
                   within("slope", 0.4, "off 1", "first order, in the median", 0.01)},
-       .mutants = {{"scene/world/cluster_contacts.hpp", "T((member.rolling + other->rolling) / T(2))", "T(0)"},
-                   {"scene/world/cluster_impulses.hpp",
-                    "formula::plus(member.state.v_WB, time, world.settings.drop.gravity)",
-                    "formula::plus(member.state.v_WB, T(1.01) * time, world.settings.drop.gravity)"}},
        .measure = measure_witness},
   };
 }

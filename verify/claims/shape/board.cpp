@@ -272,9 +272,6 @@ std::vector<Claim> board_claims() {
        .family = OracleFamily::invariant,
        .oracle = "the normal of the separation, which CONTACT-2 judges, at poses of every stratum",
        .checks = {none("", "poses")},
-       .mutants = {{"board/board.hpp", "board.half_width - reach < x", "board.half_width < x"},
-                   {"board/board.hpp", "board.half_length + reach < y", "board.half_length < y"},
-                   {"board/board.hpp", "const bool bottom = p_W.y() < T(0);", "const bool bottom = p_W.x() < T(0);"}},
        .measure = measure_regions},
       {.id = "BOARD-2",
        .statement =
@@ -288,11 +285,6 @@ std::vector<Claim> board_claims() {
                   within("hit point", 4.0 * epsilon, "of the board and the distance",
                          "p + t u is rounded twice in each coordinate, and is set upon the face", epsilon),
                   none("choices", "hits, orders and normals that are wrong")},
-       .mutants = {{"board/ray.hpp", "if (exit.t < entry.t) {", "if (exit.t < T(0)) {"},
-                   {"board/ray.hpp", "Vec3<T> low(-board.half_width, -board.half_length, -board.thickness)",
-                    "Vec3<T> low(-board.half_width, -board.half_length, T(-2) * board.thickness)"},
-                   {"board/ray.hpp", "result.n_W[first.axis] = T(first.high ? 1 : -1);",
-                    "result.n_W[first.axis] = T(1);"}},
        .measure = measure_rays},
       {.id = "BOARD-3",
        .statement =
@@ -307,11 +299,6 @@ std::vector<Claim> board_claims() {
                   within("neighbours", 4.0 * epsilon, "of the width", "spacing, width and figure rounded once each",
                          0.5 * epsilon),
                   none("overlaps", "pairs that overlap and should not, or the reverse")},
-       .mutants = {{"board/board.hpp", ".spacing_x = 22330", ".spacing_x = 22030"},
-                   {"board/board.hpp", "(boards::thirteen_length - 12 * grid.spacing_y) / 2",
-                    "(boards::thirteen_length - 13 * grid.spacing_y) / 2"},
-                   {"board/board.hpp", "metres<T>(boards::floor_board_thickness)", "metres<T>(boards::thickness)"},
-                   {"shape/catalogue.hpp", "white_width = 22000", "white_width = 21900"}},
        .measure = measure_standards},
   };
 }

@@ -342,10 +342,6 @@ std::vector<Claim> domain_board_claims() {
                   none("regions", "regions that are not so"),
                   none("star points", "boards whose star points are not those listed"),
                   none("refusals", "what is taken or refused and should not be")},
-       .mutants = {{"board/board.hpp", "reach < p_W.z()", "reach <= p_W.z()"},
-                   {"board/board.hpp", "scalar::is_finite(height)", "true"},
-                   {"board/board.hpp", "T(0) <= reach && scalar::is_finite(reach)", "true"},
-                   {"board/board.hpp", "const int corner = n == 9 ? 2 : 3;", "const int corner = 3;"}},
        .measure = measure_both(see_boards<double>, see_boards<float>, 2000, 20'000)},
       {.id = "DOMAIN-10",
        .statement =
@@ -362,10 +358,6 @@ std::vector<Claim> domain_board_claims() {
                          "a product and a sum, and the face's own coordinate, as far off as the ray's ends", 1.0),
                   none("choices", "rays that pass or meet by more than 4 ulp, and hits that are not so"),
                   none("refusals", "what is taken or refused and should not be")},
-       .mutants = {{"board/ray.hpp", "scalar::is_finite(entry.t) && scalar::is_finite(exit.t)", "true"},
-                   {"board/ray.hpp", "!(u_W[i] < T(0)) && !(T(0) < u_W[i])",
-                    "!(u_W[i] < -std::numeric_limits<T>::min()) && !(std::numeric_limits<T>::min() < u_W[i])"},
-                   {"board/ray.hpp", "result.p_W[first.axis] = first.high ? high[first.axis] : low[first.axis];", ""}},
        .measure = measure_both(see_board_rays<double>, see_board_rays<float>, 3000, 30'000)},
   };
 }

@@ -168,8 +168,6 @@ std::vector<Claim> domain_ray_claims() {
                    .counts = true},
                   none("choices", "orders of entry, exit and the first that are wrong"),
                   none("refusals", "what is taken or refused and should not be")},
-       .mutants = {{"shape/ray.hpp", "const T rest = -formula::dot(near, u_B);", "const T rest(0);"},
-                   {"shape/ray.hpp", "std::numeric_limits<T>::max() / T(4)", "std::numeric_limits<T>::infinity()"}},
        .measure = measure_both(see_stone_rays<double>, see_stone_rays<float>, 1500, 9000)},
   };
 }

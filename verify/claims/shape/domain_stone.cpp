@@ -246,8 +246,6 @@ std::vector<Claim> domain_stone_claims() {
        .checks = {within("numbers", 2.0, "ulp",
                          "evaluated in the next wider type and rounded, upwards or downwards by up to one ulp", 1.0),
                   refusals},
-       .mutants = {{"shape/stone.hpp", "require_length(\"sphere_radius\", stone.sphere_radius);", ""},
-                   {"error.hpp", "least <= value && value <= most", "least <= value"}},
        .measure = measure_both(see_stones<double>, see_stones<float>, 2000, 20'000)},
       {.id = "DOMAIN-2",
        .statement = "Their mass, volume, area and moments are right, or refused where one of them is no normal number.",
@@ -259,9 +257,6 @@ std::vector<Claim> domain_stone_claims() {
                          "with 60 seeds: up to 12.2",
                          1.0),
                   refusals},
-       .mutants = {{"mass/inertia.hpp", "in(unit.moments.axial * rho, 5 * n + m)",
-                    "in(unit.moments.axial * rho * T(2), 5 * n + m)"},
-                   {"mass/inertia.hpp", "least <= value && value < most", "value < most"}},
        .measure = measure_masses},
       {.id = "DOMAIN-3",
        .statement = "The inertia tensor is right for bodies of any size and mass, at any distance, for attitudes with "
@@ -273,8 +268,6 @@ std::vector<Claim> domain_stone_claims() {
        .checks = {within("tensor", 12.0, "ε trace",
                          "some twelve roundings, twice as large where they are not to the nearest", 1.0),
                   refusals},
-       .mutants = {{"rotation.hpp", "formula::reunited(q_WB).toRotationMatrix()", "q_WB.toRotationMatrix()"},
-                   {"mass/tensor.hpp", "result.trace() < most", "true"}},
        .measure = measure_both(see_tensors<double>, see_tensors<float>, 1000, 10'000)},
       {.id = "DOMAIN-4",
        .statement =
@@ -294,8 +287,6 @@ std::vector<Claim> domain_stone_claims() {
                   within("support", 10.0, "ε of the width, as much more as |n|² is off",
                          "SURFACE-1 has 5; rounding that is not to the nearest errs by twice as much", 1.0),
                   refusals},
-       .mutants = {{"shape/surface.hpp", "std::numeric_limits<T>::max() / T(4)", "std::numeric_limits<T>::infinity()"},
-                   {"shape/surface.hpp", "square < least_square<T>", "square < T(0)"}},
        .measure = measure_both(see_surfaces<double>, see_surfaces<float>, 2000, 20'000)},
   };
 }

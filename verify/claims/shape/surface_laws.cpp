@@ -139,15 +139,6 @@ std::vector<Claim> surface_law_claims() {
                    epsilon / 4.0),
             none("mirror", "digits that differ in a mirror"),
             none("inside", "insides that are none, and supports that are not positive")},
-       .mutants = {{"shape/surface.hpp", "zeta * (zeta + T(2) * stone.sphere_offset)",
-                    "T(2) * zeta * (zeta + T(2) * stone.sphere_offset)"},
-                   {"shape/surface.hpp", "const bool upper = !(p_B.z() < T(0));",
-                    "const bool upper = !(p_B.z() < -stone.height / T(2));"},
-                   {"shape/surface.hpp", "return signed_distance(stone, p_B) <= T(0);",
-                    "return signed_distance(stone, p_B) <= stone.bevel;"},
-                   {"shape/surface.hpp",
-                    "n.radial_square * scalar::sq(stone.joint_sine) <= scalar::sq(T(n.axial * stone.joint_cosine))",
-                    "n.radial_square * scalar::sq(stone.joint_cosine) <= scalar::sq(T(n.axial * stone.joint_sine))"}},
        .measure = measure_laws},
       {.id = "SURFACE-5",
        .statement = "The gradient of the distance is the normal; that of the support is the support point, across the "
@@ -165,10 +156,6 @@ std::vector<Claim> surface_law_claims() {
                   within("support point", 5e-11, "of the sphere's radius", "as the normal"),
                   within("support point, at the switch", 2.6e-9, "of the sphere's radius",
                          "a quarter of the step times the jump of the curvature, up to 1, and what is rounded")},
-       .mutants = {{"shape/surface.hpp", "radial = at_centre ? T(0) : T(rho / reach);",
-                    "radial = at_centre ? T(0) : T(rho / stone.core_sphere_radius);"},
-                   {"shape/surface.hpp", "return stone.bevel_major_radius / radial + stone.bevel_minor_radius;",
-                    "return stone.bevel_major_radius + stone.bevel_minor_radius;"}},
        .measure = measure_gradients},
   };
 }
