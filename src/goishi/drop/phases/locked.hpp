@@ -43,7 +43,7 @@ class LockedSlide {
     const T speed = size_of(y_[2], y_[3]);
     // Where friction holds by little, the direction of a slip that ends soon settles so much faster than the slip ends that
     // steps keep it alive by their errors.
-    const bool turns_fast = speed < step_ * friction_per_speed(speed) * speed;
+    const bool turns_fast = T(0) < static_friction(body_) && speed < step_ * friction_per_speed(speed) * speed;
     const T slow = (turns_fast ? T(10) : T(0.01)) * tolerance_ * speed_;
     if (is_in_cone(body_, at_.n, Vec3<T>(-body_.gravity)) && speed <= slow) {
       end_ = LockedEnd::stopped;
