@@ -106,7 +106,7 @@ template <Ordered T>
 [[nodiscard]] Mobility<T> make_mobility(const std::type_identity_t<T>& mass, const Moments<T>& moments) {
   require_positive("mass", mass);
   require_physical(moments);
-  const Mobility<T> result = formula::mobility(mass, moments);
+  Mobility<T> result = formula::mobility(mass, moments);
   detail::require_inverse("mass", mass, result.linear);
   detail::require_inverse("transverse", moments.transverse, result.transverse);
   detail::require_inverse("axial", moments.axial, T(T(1) / moments.axial));
