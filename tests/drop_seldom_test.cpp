@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <goishi/drop/holds.hpp>
+#include <optional>
+#include <utility>
 
 #include "tests/thrown.hpp"
 
@@ -13,7 +15,9 @@ namespace goishi::drop_test {
 namespace {
 
 using detail::ContactScales;
+using detail::ContactState;
 using detail::EdgeHops;
+using detail::Interpolant;
 using detail::Run;
 
 /// A stone that hits the board's surface with its rim, at its place for good: what changes is the motion.
@@ -136,6 +140,95 @@ TEST(EdgeHops, TheFloorIsASecondContactForAMoment) {
   EXPECT_TRUE(scene.hops.is_beside(scene.run, floor));
   scene.run.time += 0.1 / scene.run.scales.frequency;
   EXPECT_FALSE(scene.hops.is_beside(scene.run, floor));
+}
+
+// --- support that is lost within a step
+
+/// A flat stone whose centre goes along a parabola in s = 2θ − 1.26: from `middle`, by `along` s, and `back` s².
+struct Passing {
+  Thrown thrown;
+  Board<double> board = make_board<double>();
+  Run<double> run;
+  ContactState<double> contact;
+  Interpolant<double, 4> way = {};
+
+  Passing(double level, const Vec3<double>& middle, const Vec3<double>& along, const Vec3<double>& back)
+      : run(detail::make_run<double>(thrown.stone, thrown.body, board, thrown.start, smooth(), 0.0)) {
+    run.level = level;
+    run.state.q_WB = {1.0, 0.0, 0.0, 0.0};
+    contact.enter(run, Feature::lower_cap);
+    for (int i = 0; i < 2; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      way.c[0][at] = middle[i] - 1.26 * along[i] + 1.26 * 1.26 * back[i];
+      way.c[1][at] = 2.0 * along[i] - 4.0 * 1.26 * back[i];
+      way.c[2][at] = 4.0 * back[i];
+    }
+  }
+  [[nodiscard]] double gap_at(double share) const {
+    const auto y = way(share);
+    return contact.support_left(run, detail::place_of(run.contact_body, contact.feature, contact.y), y[0], y[1]).gap;
+  }
+  /// Where it is found to be lost; the places that were looked at.
+  [[nodiscard]] std::pair<std::optional<double>, int> lost() const {
+    const auto place = detail::place_of(run.contact_body, contact.feature, contact.y);
+    detail::SupportLoss search(run, contact, way, 0, std::nullopt, [&](const auto&) { return place; });
+    const std::optional<double> found = search();
+    return {found, search.views()};
+  }
+};
+
+/// Over the surface's edge and back, around the board's side, over a corner of it: by more than nothing, and not quite.
+TEST(SupportLoss, IsFoundWithinAStep) {
+  const Board<double> board = make_board<double>();
+  const double half = board.half_width, wide = outer_width(Thrown().stone) / 2.0, corner = wide / std::sqrt(2.0);
+  for (const double beyond : {1e-2, 1e-4, 1e-7, 1e-10, -1e-10, -1e-7, -1e-4, -1e-2}) {
+    const Passing over(0.0, {half + beyond, 0.0, 0.0}, {0.0, 0.1, 0.0}, {-0.1, 0.0, 0.0});
+    const Passing back(0.0, {0.0, -(board.half_length + beyond), 0.0}, {0.1, 0.0, 0.0}, {0.0, 0.1, 0.0});
+    const Passing beside(board.floor, {half + wide - beyond, 0.0, 0.0}, {0.0, 0.1, 0.0}, {0.1, 0.0, 0.0});
+    const Passing round(board.floor, {half + corner - beyond, board.half_length + corner - beyond, 0.0},
+                        {-0.1, 0.1, 0.0}, {0.02, 0.02, 0.0});
+    for (const Passing* way : {&over, &back, &beside, &round}) {
+      ASSERT_LT(0.0, way->gap_at(0.0));
+      ASSERT_LT(0.0, way->gap_at(1.0));
+      const auto [share, views] = way->lost();
+      EXPECT_EQ(share.has_value(), 0.0 < beyond) << beyond;
+      EXPECT_EQ(share.has_value() && way->gap_at(*share) <= 0.0, 0.0 < beyond) << beyond;
+      EXPECT_LT(views, 25) << beyond;
+    }
+  }
+}
+
+/// Along an edge or a side that it never touches, however near, two looks are enough.
+TEST(SupportLoss, OnceIsEnoughAlongAnEdge) {
+  const Board<double> board = make_board<double>();
+  const double wide = outer_width(Thrown().stone) / 2.0;
+  const Passing inside(0.0, {board.half_width - 1e-9, 0.0, 0.0}, {0.0, 0.15, 0.0}, {0.0, 0.0, 0.0});
+  const Passing outside(board.floor, {board.half_width + wide + 1e-9, 0.0, 0.0}, {0.0, 0.15, 0.0}, {0.0, 0.0, 0.0});
+  for (const Passing* way : {&inside, &outside}) {
+    const auto [share, views] = way->lost();
+    EXPECT_FALSE(share);
+    EXPECT_EQ(views, 2);
+  }
+}
+
+TEST(Interpolant, ChangesAreThoseOfItsParts) {
+  Interpolant<double, 1> along = {};
+  for (std::size_t k = 0; k < along.c.size(); ++k) {
+    along.c[k][0] = 1.0 + 0.5 * static_cast<double>(k * k);
+  }
+  for (const double a : {0.0, 0.3, 1.0}) {
+    for (const double b : {0.0, 0.7, 1.0}) {
+      const std::array<double, 5> changes = along.changes(0, a, b);
+      for (const double s : {0.25, 0.5, 1.0}) {
+        double sum = 0.0, power = 1.0;
+        for (const double change : changes) {
+          power *= s;
+          sum += power * change;
+        }
+        EXPECT_NEAR(sum, along(a + s * (b - a))[0] - along(a)[0], 1e-13) << a << ", " << b << ", " << s;
+      }
+    }
+  }
 }
 
 /// On the floor, its rim against the board's side: neither holds it alone.

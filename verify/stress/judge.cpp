@@ -38,11 +38,7 @@ struct Hold {
 class Judge {
  public:
   Judge(const Scene& scene, const DropResult<double>& drop)
-      : scene_(scene),
-        drop_(drop),
-        width_(outer_width(scene.stone)),
-        mobility_(
-            make_mobility(Moments<double>{.axial = scene.body.moments.z(), .transverse = scene.body.moments.x()})) {}
+      : scene_(scene), drop_(drop), width_(outer_width(scene.stone)), mobility_(formula::mobility(scene.body)) {}
 
   Verdict operator()() {
     verdict_.status = drop_.status;

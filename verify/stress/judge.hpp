@@ -17,9 +17,9 @@ struct Verdict {
   double depth = 0.0;        // [width] the deepest seen
 };
 
-/// Judges a drop: no NaN, times in order, no tunnelling (at every event, along every flight, and on a board in contact), energy never rises by
-/// more than the contact phase's tolerance, and a status that is true: what rests does rest, and goes on resting; what
-/// moves has run out of time; what gave up had the reason that it names.
+/// Judges a drop: no NaN, times in order, no tunnelling (at every event, along every flight, and on a board in contact),
+/// energy never rises by more than the contact phase's tolerance, and a status that is true: what rests does rest, and goes
+/// on resting; what moves has run out of time; what gave up had the reason that it names.
 [[nodiscard]] Verdict judge(const Scene& scene, const DropResult<double>& drop);
 
 }  // namespace goishi::verify::stress

@@ -32,7 +32,7 @@ struct Scene {
 /// Most run to rest, with the usual horizon; what nothing brings there is followed for a while.
 [[nodiscard]] Scene draw_scene(std::uint64_t seed, std::uint64_t index);
 
-/// The same stone, law and numbers, on the floor beside the board, on the way to somewhere under it.
+/// The same stone, law and numbers, on the floor, on the way to a place where the board stands, or past its corners.
 [[nodiscard]] Scene draw_floor_scene(std::uint64_t seed, std::uint64_t index);
 
 [[nodiscard]] DropResult<double> run(const Scene& scene);

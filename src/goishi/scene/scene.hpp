@@ -45,9 +45,8 @@ class Scene {
     if (world.members.empty()) {
       fill(stone.width);
     }
-    const Moments<T> moments{.axial = body.moments.z(), .transverse = body.moments.x()};
     const T reach = detail::greatest_reach(stone);
-    const T k2 = moments.transverse / body.mass;
+    const T k2 = body.moments.x() / body.mass;
     detail::Member<T> member{.stone = stone,
                              .body = body,
                              .mobility = formula::mobility(body),

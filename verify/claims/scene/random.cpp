@@ -15,8 +15,7 @@ namespace {
 // --- SCENE-15
 
 /// What was wrong once: thin stones whose contacts turn fast blew up in a step that was taken again and again; impulses that did
-/// not settle, and overlaps that a short step took back, threw stones up; stones slid into the board's side; the end of a slide
-/// on a slope took a million steps.
+/// not settle threw stones up; stones slid into the board's side; the end of a slide on a slope took a million steps.
 struct Once {
   std::uint64_t seed, index;
 };

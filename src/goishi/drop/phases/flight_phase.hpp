@@ -48,7 +48,7 @@ class FlightPhase {
 
   /// Plans the next flight. False where nothing ends it, or nothing can be said; the run's status tells which.
   [[nodiscard]] bool plan(Run<T>& run) {
-    if (leg_ == Leg::closing || leg_ == Leg::opening || leg_ == Leg::aside) {
+    if (leg_ != Leg::on) {  // what has happened says it already
       return true;
     }
     constexpr int most_pushes = 64;
@@ -109,7 +109,7 @@ class FlightPhase {
       return close_bounces(run);
     }
     advance(run, length_);
-    return leg == Leg::to_touch || leg == Leg::aside ? meet(run, hit_.contact) : Next::flight;
+    return leg == Leg::to_touch ? meet(run, hit_.contact) : Next::flight;
   }
 
   /// What touches, where a contact follows.
@@ -138,9 +138,8 @@ class FlightPhase {
   }
 
  private:
-  /// What a flight leads to: on, the next touch, a gap that is open for sure or before that the board's side, the end of all
-  /// bounces.
-  enum class Leg { on, to_touch, opening, aside, closing };
+  /// What a flight leads to: on, the next touch, a gap that is open for sure, the end of all bounces.
+  enum class Leg { on, to_touch, opening, closing };
 
   static Next end(Run<T>& run, DropStatus status) {
     run.status = status;
@@ -313,7 +312,7 @@ class FlightPhase {
     note(run, EventKind::lift_off, feature);
     length_ = opening_time(run);
     if (T(0) < length_) {
-      leg_ = run.level < T(0) && meets_side(run) ? Leg::aside : Leg::opening;
+      leg_ = run.level < T(0) && meets_side(run) ? Leg::to_touch : Leg::opening;
       return;
     }
     Vec3<T>& p = run.state.p_WB;

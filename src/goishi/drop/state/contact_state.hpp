@@ -12,12 +12,11 @@
 
 namespace goishi::detail {
 
-/// How far a stone in contact is from losing its support   [m]: its contact point is inside the playing surface by `gap`, the
-/// least of `x` and `y` from the edges across them; or on the floor the stone is off the board's side, along a normal whose
-/// horizontal part is (x, y).
+/// How far a stone in contact is from losing its support: by `gap` [m] its contact point is inside the playing surface; or on the
+/// floor the stone is off the board's side, along a normal whose horizontal part is (n_x, n_y).
 template <class T>
 struct SupportLeft {
-  T gap, x, y;
+  T gap, n_x = T(0), n_y = T(0);
 };
 
 template <Ordered T>
@@ -122,7 +121,7 @@ struct ContactState : ContactFrame<T> {
     if (!(level < T(0))) {
       const T across = board.half_width - scalar::abs<T>(p_x + now.r.x());
       const T along = board.half_length - scalar::abs<T>(p_y + now.r.y());
-      return {across < along ? across : along, across, along};
+      return {across < along ? across : along};
     }
     const T across = scalar::abs<T>(p_x) - board.half_width, along = scalar::abs<T>(p_y) - board.half_length;
     const T over = (across < along ? along : across) - run.reach;

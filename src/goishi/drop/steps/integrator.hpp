@@ -397,10 +397,20 @@ class ContactIntegrator {
       from_rate_ = rate_;
       ahead.along = interpolated(equations, contact.y, trial_.y, ahead.length);
     };
-    if (const std::optional<T> lost = support_lost(run, contact, ahead.length, now)) {
+    const bool clear = T(0) < old_.back() && T(0) < now.back();  // of losing the support, at both ends
+    if (run.board && clear &&
+        may_lose_support(run, rate_, trial_.rate, ahead.length, T((old_.back() + now.back()) * run.scales.length))) {
       know_the_way();
-      share = *lost;
-      now = guards_at(share);
+      SupportLoss lost(run, contact, ahead.along, at::x, at::u,
+                       [&](const Variables<T>& y) { return place_of(run.contact_body, contact.feature, y); });
+      if (const std::optional<T> at = lost()) {
+        share = *at;
+        now = guards_at(share);
+        now.back() = scalar::min(now.back(), T(-scalar::tiny<T>()));  // also where it is 0
+      } else {
+        static_cast<void>(equations(trial_.y));  // they see the end again
+      }
+      run.counters.evaluations_located += lost.views();
     }
     for (std::size_t pass = 0; pass < guard_count; ++pass) {
       std::size_t which = guard_count;
@@ -428,31 +438,6 @@ class ContactIntegrator {
       ahead.known = true;
     }
     return found;
-  }
-
-  /// Where within the trial step the support is lost, though it is there at both ends.
-  [[nodiscard]] std::optional<T> support_lost(Run<T>& run, const ContactState<T>& contact, const T& h,
-                                              const GuardValues& now) const {
-    const std::size_t support = guard_count - 1;
-    if (!run.board || !(T(0) < old_[support]) || !(T(0) < now[support])) {
-      return std::nullopt;
-    }
-    const auto speed = [&](const Variables<T>& rate) {
-      return ContactState<T>::size_of(rate[at::x], rate[at::y]) +
-             T(4) * run.reach *
-                 (scalar::abs(rate[at::u]) + scalar::abs(rate[at::u + 1]) + scalar::abs(rate[at::u + 2]));
-    };
-    // Far more than a step goes that the error control accepts.
-    if (T(4) * h * (speed(rate_) + speed(trial_.rate)) < (old_[support] + now[support]) * run.scales.length) {
-      return std::nullopt;
-    }
-    const Interpolant<T, variables> along =
-        interpolant(contact.y, rate_, trial_.y, trial_.rate, h, bend_of(trial_, rate_, h));
-    SupportLoss lost(run, contact, along, at::x, at::u,
-                     [&](const Variables<T>& y) { return place_of(run.contact_body, contact.feature, y); });
-    const std::optional<T> share = lost();
-    run.counters.evaluations_located += lost.views();
-    return share;
   }
 
   /// The greatest error of a variable over what is allowed.

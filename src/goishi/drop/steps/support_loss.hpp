@@ -25,7 +25,7 @@ class SupportLoss {
 
  private:
   struct View {
-    T share;
+    T share, x, y;
     ContactPlace<T> place;
     SupportLeft<T> left;
   };
@@ -34,7 +34,7 @@ class SupportLoss {
     ++views_;
     const Array<T, N> y = along_(share);
     const ContactPlace<T> place = place_at_(y);
-    return {share, place, contact_.support_left(run_, place, y[x_], y[x_ + 1])};
+    return {share, y[x_], y[x_ + 1], place, contact_.support_left(run_, place, y[x_], y[x_ + 1])};
   }
 
   [[nodiscard]] std::optional<T> within(const View& from, const View& to, int depth) {
@@ -52,7 +52,6 @@ class SupportLoss {
   /// Whether the support lasts from what is seen to a share, by what it may change at most.
   [[nodiscard]] bool is_clear(const View& from, const T& to) const {
     const std::array<T, 5> x = along_.changes(x_, from.share, to), y = along_.changes(x_ + 1, from.share, to);
-    const SupportLeft<T>& left = from.left;
     T turn(0);  // of the axis
     if (axis_) {
       for (std::size_t i = 0; i < 3; ++i) {
@@ -61,13 +60,21 @@ class SupportLoss {
     }
     if (!(contact_.level < T(0))) {
       const T swing = swing_of_contact(from, turn);
-      return sum_of_sizes(x) + swing < left.x && sum_of_sizes(y) + swing < left.y;
+      const auto stays = [&](const T& place, const std::array<T, 5>& changes, const T& half) {
+        T up = swing, down = -swing;
+        for (const T& change : changes) {
+          (T(0) < change ? up : down) = (T(0) < change ? up : down) + change;
+        }
+        return place + up < half && -half < place + down;
+      };
+      return stays(T(from.x + from.place.r.x()), x, run_.board->half_width) &&
+             stays(T(from.y + from.place.r.y()), y, run_.board->half_length);
     }
     T nearer(0);  // along the normal, which goes on being one that separates
     for (std::size_t k = 0; k < x.size(); ++k) {
-      nearer = nearer + scalar::max(T(0), T(-(left.x * x[k] + left.y * y[k])));
+      nearer = nearer + scalar::max(T(0), T(-(from.left.n_x * x[k] + from.left.n_y * y[k])));
     }
-    return nearer + T(4) * run_.reach * turn < left.gap;  // a point of the stone, and its height
+    return nearer + T(4) * run_.reach * turn < from.left.gap;  // a point of the stone, and its height
   }
 
   /// By how much the contact point may move in the stone, seen from above, where the axis turns.
@@ -96,5 +103,17 @@ class SupportLoss {
   PlaceAt place_at_;
   int views_ = 0;
 };
+
+/// Whether a stone that at the ends of a step of length h is off losing its support, by `clear` [m] together, may lose it in
+/// between: the step goes nowhere near as far as four times what its rates there say.
+template <Ordered T>
+[[nodiscard]] bool may_lose_support(const Run<T>& run, const Variables<T>& rate, const Variables<T>& other, const T& h,
+                                    const T& clear) {
+  const auto speed = [&](const Variables<T>& k) {
+    return ContactState<T>::size_of(k[at::x], k[at::y]) +
+           T(4) * run.reach * (scalar::abs(k[at::u]) + scalar::abs(k[at::u + 1]) + scalar::abs(k[at::u + 2]));
+  };
+  return !(T(4) * h * (speed(rate) + speed(other)) < clear);
+}
 
 }  // namespace goishi::detail

@@ -135,8 +135,8 @@ class Sweeps {
     return greatest;
   }
 
-  /// Each contact stops what it meets at its turn, as if by an impact without restitution, and takes nothing back: that takes
-  /// energy, whatever leans on what.
+  /// Each contact stops what it meets at its turn, as if by an impact without restitution, and takes nothing back: but for what
+  /// moves by itself and overlaps, that takes energy, whatever leans on what.
   void blow_by_blow() {
     for (Row<T>& row : rows) {
       row.p = row.torque = Vec3<T>(T(0), T(0), T(0));

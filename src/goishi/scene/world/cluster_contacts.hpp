@@ -105,8 +105,7 @@ class ClusterContacts {
       turning = Vec3<T>::Zero();
     }
     row.bias = row.in_frame(formula::minus(formula::scaled(T(h / T(2)), turning), source.other_v));
-    // An overlap is taken back in a whole step, however short this one is: in less it would throw the stones apart.
-    row.bias.z() = row.bias.z() + source.gap / (source.gap < T(0) ? *world.settings.step : h);
+    row.bias.z() = row.bias.z() + source.gap / h;
     row.turning = h / T(2) * formula::dot(row.n, turning);
     if (again) {
       return;
